@@ -79,9 +79,6 @@ int offscreen_release(offscreen *context);
 //          answers unknown names with a stub. Ask the context's version first.
 void *offscreen_proc(void *user, const char *name);
 
-// The back-end that made the context: OFFSCREEN_EGL or OFFSCREEN_OSMESA.
-enum offscreen_backend offscreen_backend_of(const offscreen *context);
-
 // One line: back-end, vendor, renderer and version, for instance
 // "EGL surfaceless: Mesa/X.org, llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Core Profile) Mesa 22.3.6".
 //
