@@ -198,6 +198,10 @@ Expected<HairyHead> make(const HairParams &params, const ScalpParams &from)
     HairyHead out;
     grow(params, *scalp, grower, out);
     out.report = inspect(out.groom);
+    if (out.report.degenerate_segments || out.report.non_finite_points) {
+        return Error{"the segments of the hair are too short for float coordinates: use fewer "
+                     "points, a larger length, or a mesh nearer to the origin"};
+    }
     out.head = std::move(scalp->head);
     out.scalp = std::move(scalp->scalp);
     const Ellipsoid body = scalp->body;

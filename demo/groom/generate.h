@@ -73,7 +73,7 @@ struct HairyHead {
 // parting and a whorl at the crown, fall under gravity and lie around the head.
 //
 // The result holds the same bytes for the same parameters on every machine
-// with IEEE 754 doubles: neither the C library's mathematics nor the compiler's
+// with plain IEEE 754 doubles (not x87): neither the C library's mathematics nor the compiler's
 // choice of fused operations takes part. The normals of the meshes are left
 // out of this promise, and so is a mesh file that stores text numbers.
 //
@@ -83,9 +83,9 @@ struct HairyHead {
 //
 // Cost:    100,000 strands of 32 points take less than 3 s on one core.
 // Errors:  a parameter out of range (the message names it and the range);
-//          too few points for the curl; a mesh that cannot be read, holds a
-//          non-finite coordinate, or has no face with an area where hair is
-//          to grow.
+//          too few points for the curl; segments too short for float; a mesh
+//          that cannot be read, has a coordinate outside [-10, 10] metres, or
+//          no face with an area where hair is to grow.
 // Threads: any; with a mesh path one at a time, its reader has one log for all.
 Expected<HairyHead> generate(const HairParams &params, const ScalpParams &scalp = {});
 

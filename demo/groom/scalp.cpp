@@ -196,10 +196,10 @@ Expected<Scalp> load_scalp(const ScalpParams &params)
         double *to[3] = {&q.x, &q.y, &q.z};
         for (unsigned k = 0; k < 3; ++k) {
             *to[k] = double(p[k]) * params.unit_scale;
-            if (!(std::fabs(*to[k]) <= 1e3)) {
+            if (!(std::fabs(*to[k]) <= 10.0)) {
                 std::ostringstream out;
                 out << "vertex " << v.idx() << " has the coordinate " << p[k]
-                    << " but times unit_scale it must be in [-1000, 1000] metres";
+                    << " but times unit_scale it must be in [-10, 10] metres";
                 return refuse(params, out.str());
             }
             p[k] = float(*to[k]);
