@@ -56,22 +56,19 @@ bool invalid(const HairParams &p, Error &error)
 
 bool invalid(const ScalpParams &p, Error &error)
 {
-    const double most = 1e30;
-    if (!(p.unit_scale > 0.0 && p.unit_scale <= most)) {
+    if (!(p.unit_scale > 0.0 && std::isfinite(p.unit_scale))) {
         std::ostringstream out;
         out << "unit_scale is " << p.unit_scale << " but must be finite and above 0";
         error.message = out.str();
         return true;
     }
     const glm::vec3 n = p.plane_normal;
-    const double longest =
-        std::max(std::fabs(double(n.x)), std::max(std::fabs(double(n.y)), std::fabs(double(n.z))));
-    const double sum = double(n.x) + n.y + n.z;
-    if (!(longest > 1e-6 && longest <= most && std::fabs(sum) <= most * 3.0)) {
+    const double squared = double(n.x) * n.x + double(n.y) * n.y + double(n.z) * n.z;
+    if (!(squared > 1e-12 && squared <= 1e80)) {
         error.message = "plane_normal must be finite and longer than 0.000001";
         return true;
     }
-    return outside("plane_offset", p.plane_offset, -1e3, 1e3, error);
+    return outside("plane_offset", p.plane_offset, -10.0, 10.0, error);
 }
 
 // Points a curl needs to be seen as one.

@@ -46,8 +46,8 @@ struct ScalpParams {
     std::string path;        // triangle mesh, .obj, .ply, .off or .stl; empty: the built-in head
     double unit_scale = 1.0; // metres per file unit, finite, > 0
     bool cut = false;        // grow only on faces whose centroid is on the plane's upper side:
-    glm::vec3 plane_normal{0.0f, 1.0f, 0.0f}; // finite, not zero, any length
-    double plane_offset = 0.0; // metres along the unit normal from the origin, finite
+    glm::vec3 plane_normal{0.0f, 1.0f, 0.0f}; // finite, longer than 1e-6
+    double plane_offset = 0.0; // metres along the unit normal from the origin, [-10, 10]
 };
 
 // Triangles, counter-clockwise from outside; normals have length 1.

@@ -24,7 +24,7 @@ namespace tsuya::groom {
 //   - every segment is longer than shortest_segment.
 struct Groom {
     std::vector<glm::vec3> points;    // all strands, one after the other, scene units
-    std::vector<std::uint32_t> first; // strand s is points [first[s], first[s + 1]); strands + 1 long
+    std::vector<std::uint32_t> first; // strand s is [first[s], first[s + 1]); one more than strands
     std::vector<glm::vec2> uv;        // root's place on the scalp, one per strand; empty: unknown
     std::vector<float> seed;          // one per strand, uniform in [0, 1), the same at each load
     std::vector<float> radius;        // one per point, scene units, > 0; empty: constant_radius

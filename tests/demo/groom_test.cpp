@@ -195,7 +195,8 @@ void scales_and_turns(void **)
     expect_error(load(make_data(sample()), Format::data, options).error(), {"radius", "["});
     options = ReadOptions();
     options.unit_scale = 1e300;
-    expect_error(load(make_data(sample()), Format::data, options).error(), {"12 points are not finite"});
+    expect_error(load(make_data(sample()), Format::data, options).error(),
+                 {"12 points are not finite"});
 }
 
 void reports_kinks(void **)
