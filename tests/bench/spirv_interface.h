@@ -1,6 +1,6 @@
 // What a SPIR-V fragment shader expects around it, and a vertex shader that feeds it.
 //
-// Private to shader_cost.c and kept in one header with it, so that one compiler call builds the tool.
+// Private to shader_cost.c; a header with its functions, so that one compiler call builds the tool.
 #ifndef TSUYA_TESTS_BENCH_SPIRV_INTERFACE_H
 #define TSUYA_TESTS_BENCH_SPIRV_INTERFACE_H
 
@@ -154,7 +154,7 @@ static inline const char *spirv_reflect(const uint32_t *words, size_t word_count
 {
     memset(out, 0, sizeof *out);
     if (word_count < 5 || words[0] != SpirvMagic || words[3] > word_count) {
-        return "it is not SPIR-V of this machine's byte order";
+        return "it is not a whole SPIR-V module in this machine's byte order";
     }
     const uint32_t bound = words[3];
     struct spirv_id *ids = calloc(bound, sizeof *ids);
@@ -216,8 +216,8 @@ static inline void emit(struct vertex_stage *v, uint32_t op, uint32_t count, con
 // equal or constant values a driver merges or folds inputs and the fragment shader reads too cheap.
 static inline void vertex_stage_build(struct vertex_stage *v, const struct fragment_interface *f)
 {
-    enum { VOID = 1, FUNCTION, MAIN, LABEL, INDEX, POSITION, INDEX_POINTER, INDEX_VALUE, FLOAT_INDEX,
-           UINT_INDEX, POSITION_VALUE, TYPES };
+    enum { VOID = 1, FUNCTION, MAIN, LABEL, INDEX, POSITION, INDEX_POINTER, INDEX_VALUE,
+           FLOAT_INDEX, UINT_INDEX, POSITION_VALUE, TYPES };
     enum { POINTERS = TYPES + 12, OUTPUTS = POINTERS + 12 };
     // Types and output pointers by kind and number of components.
 #define TYPE(kind, components) ((uint32_t)TYPES + (uint32_t)(kind)*4 + (components)-1)
