@@ -8,18 +8,18 @@ int library_open(const char *const *names, const struct library_symbol *symbols,
                  size_t error_size)
 {
     void *library = NULL;
-    error[0] = '\0';
+    const size_t used = strlen(error);
     for (size_t i = 0; names[i] && !library; i++) {
         library = dlopen(names[i], RTLD_NOW | RTLD_LOCAL);
     }
     if (!library) {
-        snprintf(error, error_size, "cannot open %s. ", names[0]);
+        snprintf(error + used, error_size - used, "cannot open %s. ", names[0]);
         return 0;
     }
     for (size_t i = 0; symbols[i].name; i++) {
         void *const address = dlsym(library, symbols[i].name);
         if (!address) {
-            snprintf(error, error_size, "the library has no function %s. ", symbols[i].name);
+            snprintf(error + used, error_size - used, "the library has no function %s. ", symbols[i].name);
             dlclose(library);
             return 0;
         }

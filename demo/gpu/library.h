@@ -15,8 +15,8 @@ struct library_symbol {
 //
 // names       file names, in order of preference, ending with NULL
 // symbols     what to find, ending with a NULL name
-// error       on failure a sentence that says what is missing; always terminated
-// error_size  bytes at `error`, at least 1
+// error       terminated text; on failure a sentence that says what is missing is added to it
+// error_size  bytes at `error`, more than the text there needs
 //
 // Returns: 1 on success, 0 when no library opens or one function is missing; slots before the
 //          missing function are filled then.

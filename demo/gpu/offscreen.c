@@ -53,16 +53,16 @@ static int backend_in_use = OFFSCREEN_ANY; // ANY until the first context exists
 // A message that grows by parts and is cut, still terminated, at the end of the caller's memory.
 struct message {
     char *text;
-    size_t size, used;
+    size_t size;
 };
 
 static void say(struct message *m, const char *format, ...)
 {
+    const size_t used = strlen(m->text);
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(m->text + m->used, m->size - m->used, format, arguments);
+    vsnprintf(m->text + used, m->size - used, format, arguments);
     va_end(arguments);
-    m->used += strlen(m->text + m->used);
 }
 
 static int open_egl(struct message *m)
@@ -75,7 +75,7 @@ static int open_egl(struct message *m)
         {"eglMakeCurrent", &egl.make_current},     {"eglGetCurrentContext", &egl.get_current},
         {"eglGetProcAddress", &egl.get_proc},      {NULL, NULL},
     };
-    if (!egl.get_proc && !library_open(names, symbols, m->text + m->used, m->size - m->used)) {
+    if (!egl.get_proc && !library_open(names, symbols, m->text, m->size)) {
         return 0;
     }
     void *const display = egl.get_proc("eglGetPlatformDisplayEXT");
@@ -94,8 +94,7 @@ static int open_osmesa(struct message *m)
         {"OSMesaMakeCurrent", &osmesa.make_current},
         {"OSMesaGetProcAddress", &osmesa.get_proc}, {NULL, NULL},
     };
-    return osmesa.get_proc ||
-           library_open(names, symbols, m->text + m->used, m->size - m->used);
+    return osmesa.get_proc || library_open(names, symbols, m->text, m->size);
 }
 
 // None of the extension names asked for here is the beginning of another one.
@@ -230,7 +229,7 @@ static int create_osmesa(offscreen *c, const offscreen_desc *desc, struct messag
 
 int offscreen_create(const offscreen_desc *desc, offscreen **out, char *error, size_t error_size)
 {
-    struct message m = {error, error_size, 0};
+    struct message m = {error, error_size};
     *out = NULL;
     error[0] = '\0';
     offscreen *c = calloc(1, sizeof *c);

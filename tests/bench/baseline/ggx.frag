@@ -1,7 +1,7 @@
 #version 450
 // Lambert under one isotropic GGX lobe: what an ordinary surface material costs.
 //
-// Source: Walter et al. 2007, eq. 33 (distribution); Heitz 2014, eq. 99 (height-correlated masking);
+// Source: Walter et al. 2007, eq. 33 (distribution); Heitz 2014, eq. 99 (correlated masking);
 //         Schlick 1994 (Fresnel).
 layout(location = 0) in vec3 t; // here the normal
 layout(location = 1) in vec3 l;
