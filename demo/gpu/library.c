@@ -19,7 +19,8 @@ int library_open(const char *const *names, const struct library_symbol *symbols,
     for (size_t i = 0; symbols[i].name; i++) {
         void *const address = dlsym(library, symbols[i].name);
         if (!address) {
-            snprintf(error + used, error_size - used, "the library has no function %s. ", symbols[i].name);
+            snprintf(error + used, error_size - used, "the library has no function %s. ",
+                     symbols[i].name);
             dlclose(library);
             return 0;
         }
