@@ -80,9 +80,15 @@ bool too_coarse(const HairParams &p, const Grower &grower, Error &error)
         return false;
     }
     std::ostringstream out;
-    out << "points is " << p.points << " but must be at least "
-        << std::uint32_t(turns * points_per_turn) + 2 << " (of at most 256): length and "
-        << "curl_frequency make " << turns << " turns of 6 points";
+    const double needed = std::floor(turns * points_per_turn) + 2.0;
+    if (needed > 256.0) {
+        out << "curl_frequency is " << p.curl_frequency << " but at this length must be in [0, "
+            << std::floor(255.0 / points_per_turn / grower.reach(longest)) << "]; it makes "
+            << turns << " turns, and 256 points of 6 a turn hold 42";
+    } else {
+        out << "points is " << p.points << " but must be in [" << needed << ", 256]: length and "
+            << "curl_frequency make " << turns << " turns of 6 points";
+    }
     error.message = out.str();
     return true;
 }

@@ -41,7 +41,8 @@ HairParams preset(Style style);
 
 // Where hair grows. With no path: a built-in head, 0.15 m wide and 0.23 m high
 // without its neck, whose scalp ends at a hairline around the face, over the
-// ears and at the nape.
+// ears and at the nape. The counts in a mesh file's header are trusted, unlike
+// those of a groom file: open no mesh from a source you do not trust.
 struct ScalpParams {
     std::string path;        // triangle mesh, .obj, .ply, .off or .stl; empty: the built-in head
     double unit_scale = 1.0; // metres per file unit, finite, > 0

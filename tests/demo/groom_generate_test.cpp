@@ -232,7 +232,11 @@ void errors_name_the_field(void **)
     expect_error(generate(p).error(), {"points is 7 ", "[8, 256]"});
     p = preset(Style::curly);
     p.points = 16;
-    expect_error(generate(p).error(), {"points is 16 ", "at least", "curl_frequency"});
+    expect_error(generate(p).error(), {"points is 16 ", ", 256]", "curl_frequency"});
+    p.curl_frequency = 200.0;
+    p.curl_radius = 0.001;
+    p.length = 1.0;
+    expect_error(generate(p).error(), {"curl_frequency is 200 ", "[0, "});
     p.style = Style(7);
     expect_error(generate(p).error(), {"style is 7 "});
 }
