@@ -71,6 +71,10 @@ double Grower::level(const Root &root) const
 // Direction in which hair is combed at `u` on the unit sphere, not normalised.
 Vec Grower::comb(Vec u, int side) const
 {
+    // A strand that the whorl turned to the other side goes on from there.
+    if (side * (u.x - parting) < -0.25) {
+        side = -side;
+    }
     const Vec n = unit(u, {0.0, 1.0, 0.0});
     const Vec from_whorl = n - whorl;
     const double near = 1.0 - smooth(0.2, 0.7, length(from_whorl));
