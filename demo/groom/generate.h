@@ -74,9 +74,10 @@ struct HairyHead {
 // parting and a whorl at the crown, fall under gravity and lie around the head.
 //
 // The result holds the same bytes for the same parameters on every machine
-// with plain IEEE 754 doubles (not x87): neither the C library's mathematics nor the compiler's
-// choice of fused operations takes part. The normals of the meshes are left
-// out of this promise, and so is a mesh file that stores text numbers.
+// with plain IEEE 754 doubles (not x87): neither the C library's mathematics
+// nor the compiler's choice of fused operations takes part. The normals of the
+// meshes are left out of this promise, and so is a mesh file that stores text
+// numbers.
 //
 // No point is more than 1 mm inside the head's ellipsoid. A loaded mesh is
 // taken as the ellipsoid inscribed in its bounding box, shrunk for each strand
