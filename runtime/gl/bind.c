@@ -123,8 +123,7 @@ static int is_linked(const struct tsu_i_gl_api *api, uint32_t program)
     return linked != 0;
 }
 
-tsu_status tsu_gl_program_setup(tsu_gl *gl, uint32_t program, uint32_t unit,
-                                uint32_t block_binding)
+tsu_status tsu_gl_program_setup(tsu_gl *gl, uint32_t program, uint32_t unit, uint32_t block_binding)
 {
     if (!gl)
         return TSU_E_PARAMETER;
