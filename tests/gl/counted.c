@@ -141,9 +141,9 @@ static void TSU_I_GL_CALL c_TexSubImage2D(uint32_t target, int32_t level, int32_
     real.TexSubImage2D(target, level, x, y, width, height, format, type, texels);
 }
 
-static void TSU_I_GL_CALL c_TextureSubImage2D(uint32_t texture, int32_t level, int32_t x,
-                                              int32_t y, int32_t width, int32_t height,
-                                              uint32_t format, uint32_t type, const void *texels)
+static void TSU_I_GL_CALL c_TextureSubImage2D(uint32_t texture, int32_t level, int32_t x, int32_t y,
+                                              int32_t width, int32_t height, uint32_t format,
+                                              uint32_t type, const void *texels)
 {
     count_texels(I_TextureSubImage2D, width, height);
     real.TextureSubImage2D(texture, level, x, y, width, height, format, type, texels);

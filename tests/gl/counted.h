@@ -12,21 +12,21 @@ struct counted {
     void *user;
 
     // Lies; all zero is the truth.
-    int nothing;             // resolve no name
-    const char *hide;        // resolve this name to NULL
-    int fake_version;        // answer GL_VERSION with `version`
-    const char *version;     // may be NULL
-    int max_texture_size;    // answer GL_MAX_TEXTURE_SIZE with it
-    int no_textures;         // give the name 0 for every new texture
-    int no_buffers;          // likewise
-    unsigned stuck;          // answer glGetError with it, always
+    int nothing;          // resolve no name
+    const char *hide;     // resolve this name to NULL
+    int fake_version;     // answer GL_VERSION with `version`
+    const char *version;  // may be NULL
+    int max_texture_size; // answer GL_MAX_TEXTURE_SIZE with it
+    int no_textures;      // give the name 0 for every new texture
+    int no_buffers;       // likewise
+    unsigned stuck;       // answer glGetError with it, always
 
     // Since counted_reset().
-    unsigned calls;          // of any entry point
-    unsigned gets;           // of them glGetError
-    unsigned uploads;        // of them gl*SubImage2D and gl*BufferSubData
+    unsigned calls;                   // of any entry point
+    unsigned gets;                    // of them glGetError
+    unsigned uploads;                 // of them gl*SubImage2D and gl*BufferSubData
     unsigned long long texels, bytes; // sent by those
-    unsigned resolved;       // names asked for
+    unsigned resolved;                // names asked for
 };
 extern struct counted counted;
 

@@ -61,8 +61,8 @@ static void next(tsu_set *set, int texture)
         set->texture_generation = set->generation;
 }
 
-tsu_set *fake_set_create(uint32_t width, uint32_t height, uint32_t page_count,
-                         uint32_t page_stride, uint32_t seed)
+tsu_set *fake_set_create(uint32_t width, uint32_t height, uint32_t page_count, uint32_t page_stride,
+                         uint32_t seed)
 {
     tsu_set *const set = must(calloc(1, sizeof *set));
     set->page_stride = page_stride;

@@ -21,8 +21,8 @@ struct tsu_set {
 
 // Makes a set of one region a 128 x 128 cell, or of one region when the texture is smaller.
 // `width` or `page_count` may be 0. Everything has generation 1.
-tsu_set *fake_set_create(uint32_t width, uint32_t height, uint32_t page_count,
-                         uint32_t page_stride, uint32_t seed);
+tsu_set *fake_set_create(uint32_t width, uint32_t height, uint32_t page_count, uint32_t page_stride,
+                         uint32_t seed);
 void fake_set_destroy(tsu_set *set);
 
 // New content, all bit patterns, in a new generation.
