@@ -104,6 +104,24 @@ void rig_check_error(void)
     assert_int_equal(rig.fixture.gl.GetError(), GL_NO_ERROR);
 }
 
+void rig_sync(tsu_gl *gl, const tsu_set *set)
+{
+    counted_reset();
+    rig.allocations = 0;
+    assert_int_equal(tsu_gl_sync(gl, set), TSU_OK);
+    assert_int_equal(rig.allocations, 0);
+    assert_int_equal(counted.gets, 0);
+}
+
+void rig_check_unchanged(tsu_gl *gl, tsu_set *set)
+{
+    set->describe_calls = set->read_calls = 0;
+    rig_sync(gl, set);
+    assert_int_equal(counted.calls, 0);
+    assert_int_equal(set->describe_calls, 1);
+    assert_int_equal(set->read_calls, 0);
+}
+
 static float *draw(GLuint program, int width, int height)
 {
     struct fixture_target target;

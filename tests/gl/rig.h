@@ -45,8 +45,13 @@ tsu_status rig_create(uint32_t flags, tsu_gl **out);
 // The same, must succeed.
 tsu_gl *rig_gl(void);
 
-// Bind every page at RIG_UNIT and RIG_BINDING, draw with it, and compare texture and pages with the
-// set: every texel and every value. Uses tsu_gl_program_setup() and tsu_gl_bind().
+// Sync: must succeed, allocates nothing and asks for no error. Counts of GL calls start anew.
+void rig_sync(tsu_gl *gl, const tsu_set *set);
+// Sync of an unchanged set: no GL call, and the set is asked for nothing but its generation.
+void rig_check_unchanged(tsu_gl *gl, tsu_set *set);
+
+// Bind the pages (16 of them when there are many) at RIG_UNIT and RIG_BINDING, draw with each, and
+// compare with the set: every texel and every value. Uses tsu_gl_program_setup(), tsu_gl_bind().
 void rig_check(tsu_gl *gl, const tsu_set *set);
 // Compare the bytes of the store with the set's, without drawing.
 void rig_check_bytes(const tsu_gl *gl, const tsu_set *set);

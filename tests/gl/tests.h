@@ -5,6 +5,7 @@
 // Return the number of failed tests.
 int create_tests(void);
 int sync_tests(void);
+int sync_edge_tests(void);
 int bind_tests(void);
 int hostile_tests(void);
 
