@@ -1,0 +1,155 @@
+// What models exist, and what each one takes, bakes, promises and can be asked.
+//
+// Everything a panel, a serialiser or a command line needs is here as data, so that no host code
+// has to name a model. Records are static: pointers in them live as long as the library.
+#ifndef TSUYA_MODEL_H
+#define TSUYA_MODEL_H
+
+#include <tsuya/context.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+// One shading model ("marschner", "kajiya_kay", ...).
+typedef struct tsu_model tsu_model;
+
+// Number of models. Threads: any.
+TSU_API uint32_t tsu_model_count(void);
+// Model by position; NULL when `index` is too large. Threads: any.
+TSU_API const tsu_model *tsu_model_at(uint32_t index);
+// Model by name; NULL when there is none. Threads: any.
+TSU_API const tsu_model *tsu_model_find(const char *name);
+
+typedef struct tsu_model_info {
+    uint32_t struct_size; // set by tsu_model_info_init()
+    uint32_t flags;       // 0
+    const char *name;     // "marschner"
+    const char *title;    // "Marschner fibre"
+    const char *source;   // citation
+    size_t params_size;   // sizeof of the model's typed parameters
+    uint32_t parameter_count;
+    uint32_t table_count;
+    uint32_t error_count;
+    uint32_t input_count;
+    uint32_t function_count;
+} tsu_model_info;
+
+// One field of the model's typed parameter struct.
+typedef struct tsu_parameter_info {
+    uint32_t struct_size; // set by tsu_parameter_info_init()
+    uint32_t flags;       // 0
+    const char *name;     // field name
+    const char *unit;     // "rad", "1/radius", "1"
+    const char *help;     // one sentence
+    size_t offset;        // in the typed struct
+    uint32_t count;       // 1, or 3 for a colour; always float
+    uint32_t rebakes;     // 1 when a change of this parameter makes new tables
+    double minimum, maximum, default_value;
+} tsu_parameter_info;
+
+// One table of a model: a rectangle of RGBA16F texels in the shared texture.
+typedef struct tsu_table_info {
+    uint32_t struct_size; // set by tsu_table_info_init()
+    uint32_t flags;       // 0
+    const char *name;     // "azimuthal"
+    const char *axes;     // storage order with units
+    const char *channels; // meaning of the texels
+    uint32_t width, height;
+    uint32_t bytes;
+} tsu_table_info;
+
+// One measured error. `value` is the maximum over `range`, in the measure that `measure` names.
+typedef struct tsu_error_info {
+    uint32_t struct_size; // set by tsu_error_info_init()
+    uint32_t flags;       // 0
+    const char *name;     // what is approximated
+    const char *measure;  // "fraction of the peak over phi", ...
+    const char *range;    // parameters over which it was measured
+    double value;
+} tsu_error_info;
+
+// One argument of the model's GLSL entry point, in order.
+typedef struct tsu_input_info {
+    uint32_t struct_size; // set by tsu_input_info_init()
+    uint32_t flags;       // TSU_INPUT_EXTRA: beyond t, l, v, sigma_a and the material index
+    const char *name;     // "t"
+    const char *type;     // GLSL type
+    const char *help;
+} tsu_input_info;
+enum { TSU_INPUT_EXTRA = 1 };
+
+// One question that a model answers three times: by its double-precision reference, by the tables
+// sampled in C, and by the GLSL (entry tsu_probe, see shader.h). Inputs hold material parameters
+// and directions alike.
+typedef struct tsu_function_info {
+    uint32_t struct_size; // set by tsu_function_info_init()
+    uint32_t flags;       // 0
+    const char *name;     // "hair-azimuthal"
+    const char *help;
+    uint32_t input_count, output_count; // at most TSU_FUNCTION_INPUTS and TSU_FUNCTION_OUTPUTS
+} tsu_function_info;
+enum { TSU_FUNCTION_INPUTS = 16, TSU_FUNCTION_OUTPUTS = 8 };
+
+// One input (or output: then only name, unit and help count) of a function.
+typedef struct tsu_value_info {
+    uint32_t struct_size; // set by tsu_value_info_init()
+    uint32_t flags;       // TSU_VALUE_MATERIAL: part of the material, not of the fragment
+    const char *name;     // "theta_d"
+    const char *unit;     // "rad" for angles
+    const char *help;
+    double minimum, maximum, default_value;
+} tsu_value_info;
+enum { TSU_VALUE_MATERIAL = 1 };
+
+// Zero an info struct and set its size. Errors: TSU_E_STRUCT. Threads: any.
+TSU_API tsu_status tsu_info_init_sized(void *info, size_t size);
+#define tsu_model_info_init(info) tsu_info_init_sized((info), sizeof *(info))
+#define tsu_parameter_info_init(info) tsu_info_init_sized((info), sizeof *(info))
+#define tsu_table_info_init(info) tsu_info_init_sized((info), sizeof *(info))
+#define tsu_error_info_init(info) tsu_info_init_sized((info), sizeof *(info))
+#define tsu_input_info_init(info) tsu_info_init_sized((info), sizeof *(info))
+#define tsu_function_info_init(info) tsu_info_init_sized((info), sizeof *(info))
+#define tsu_value_info_init(info) tsu_info_init_sized((info), sizeof *(info))
+
+// Fill an info struct. Errors: TSU_E_PARAMETER for a NULL or an index out of range, TSU_E_STRUCT.
+// Threads: any.
+TSU_API tsu_status tsu_model_describe(const tsu_model *model, tsu_model_info *out);
+TSU_API tsu_status tsu_model_parameter(const tsu_model *model, uint32_t index,
+                                       tsu_parameter_info *out);
+TSU_API tsu_status tsu_model_table(const tsu_model *model, uint32_t index, tsu_table_info *out);
+TSU_API tsu_status tsu_model_error(const tsu_model *model, uint32_t index, tsu_error_info *out);
+TSU_API tsu_status tsu_model_input(const tsu_model *model, uint32_t index, tsu_input_info *out);
+TSU_API tsu_status tsu_model_function(const tsu_model *model, uint32_t index,
+                                      tsu_function_info *out);
+TSU_API tsu_status tsu_function_input(const tsu_model *model, uint32_t function, uint32_t index,
+                                      tsu_value_info *out);
+TSU_API tsu_status tsu_function_output(const tsu_model *model, uint32_t function, uint32_t index,
+                                       tsu_value_info *out);
+
+// Fill a model's typed parameters with its defaults. `params` must have room for `size` bytes and
+// starts with struct_size and flags like every descriptor. The typed headers wrap this.
+// Errors: TSU_E_PARAMETER (NULL), TSU_E_STRUCT (size below the first released layout).
+// Threads: any.
+TSU_API tsu_status tsu_model_params_init(const tsu_model *model, void *params, size_t size);
+
+// Check typed parameters; the log line names the first bad field and its range.
+// Errors: TSU_E_PARAMETER, TSU_E_STRUCT. Threads: any.
+TSU_API tsu_status tsu_model_params_check(tsu_context *context, const tsu_model *model,
+                                          const void *params);
+
+// Material parameters of one row of function inputs (`in`: input_count doubles), written over
+// `params`, which must have been initialised.
+// Errors: TSU_E_PARAMETER, logged with the name of the input. Threads: any.
+TSU_API tsu_status tsu_function_params(tsu_context *context, const tsu_model *model,
+                                       uint32_t function, const double *in, void *params);
+
+// The double-precision reference: `in` has input_count values, `out` gets output_count values.
+// Errors: TSU_E_PARAMETER when an input is not finite or out of range. Threads: any.
+TSU_API tsu_status tsu_function_reference(tsu_context *context, const tsu_model *model,
+                                          uint32_t function, const double *in, double *out);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

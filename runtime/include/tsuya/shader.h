@@ -1,0 +1,92 @@
+// GLSL text for one or more models, ready to paste into the host's own shader.
+//
+// The text holds functions, structs and macros that begin with tsu_ or TSU_, one sampler
+// (`tsu_tables`) and one block (`tsu_materials`) however many models are asked for. It has no
+// #version, no #extension, no main, no in or out: the host owns the stages. For each model M:
+//
+//   tsu_M_lobes tsu_M_eval(int material, vec3 t, vec3 l, vec3 v, vec3 sigma_a, ...);
+//   vec3 tsu_M_sum(tsu_M_lobes lobes);
+//
+// `material` is the index inside the bound page. A lobe is S cos(theta_i) in 1/sr: multiply it by
+// the light's radiance and solid angle (or irradiance from a small light) and add; no further
+// cosine, no light colour inside. Arguments after sigma_a are the model's extra inputs (model.h).
+#ifndef TSUYA_SHADER_H
+#define TSUYA_SHADER_H
+
+#include <tsuya/model.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef int32_t tsu_target;
+enum {
+    TSU_TARGET_330 = 1,   // GLSL 3.30 core
+    TSU_TARGET_410 = 2,   // GLSL 4.10 core
+    TSU_TARGET_450 = 3,   // GLSL 4.50 core
+    TSU_TARGET_300ES = 4, // ESSL 3.00, WebGL 2
+    TSU_TARGET_310ES = 5, // ESSL 3.10
+    TSU_TARGET_VULKAN = 6 // GLSL 4.50 with set and binding, for SPIR-V
+};
+
+// Target by its name ("330", "410", "450", "300es", "310es", "vulkan"); 0 when there is none.
+// Threads: any.
+TSU_API tsu_target tsu_target_find(const char *name);
+// The `#version ...` line of a target, with its line end; NULL for an unknown target.
+// Threads: any.
+TSU_API const char *tsu_target_version(tsu_target target);
+
+enum {
+    // Material records come as `uniform vec4 tsu_records[]` in place of a block, for hosts
+    // without uniform blocks; see array_materials.
+    TSU_SHADER_ARRAY = 1,
+    // Add the probes: void tsu_probe(int material, float x[16], out float y[8]) answers function
+    // `function` of the one model asked for, with x as tsu_function_input() orders them.
+    TSU_SHADER_PROBE = 2,
+    // A complete fragment shader with #version: varyings t, l, v, sigma_a, flat int material and
+    // the models' extra inputs; o = vec4(sum of all lobes of all models, 1).
+    TSU_SHADER_HARNESS = 4
+};
+
+typedef struct tsu_shader_desc {
+    uint32_t struct_size; // set by tsu_shader_desc_init()
+    uint32_t flags;       // TSU_SHADER_* bits
+    tsu_target target;    // default TSU_TARGET_330
+    uint32_t model_count; // at least 1
+    const tsu_model *const *models;
+    uint32_t function;        // for TSU_SHADER_PROBE
+    uint32_t array_materials; // for TSU_SHADER_ARRAY: materials in the array, [1, 127], default 1
+    uint32_t set;             // Vulkan descriptor set, default 0
+    uint32_t sampler_binding; // Vulkan binding of tsu_tables, default 0
+    uint32_t block_binding;   // Vulkan binding of tsu_materials, default 1
+    uint32_t reserved;        // 0
+} tsu_shader_desc;
+
+// Errors: TSU_E_STRUCT. Threads: any.
+TSU_API tsu_status tsu_shader_desc_init_sized(tsu_shader_desc *desc, size_t size);
+#define tsu_shader_desc_init(desc) tsu_shader_desc_init_sized((desc), sizeof *(desc))
+
+// Assembled text. Immutable.
+typedef struct tsu_shader tsu_shader;
+
+// Assemble. A model that is asked for twice appears once.
+// Errors: TSU_E_STRUCT, TSU_E_PARAMETER (no model, unknown target, flag or function), TSU_E_MEMORY,
+// TSU_E_HOST (the read callback gave text that breaks the naming rules: #version, main).
+// Threads: any.
+TSU_API tsu_status tsu_shader_create(tsu_context *context, const tsu_shader_desc *desc,
+                                     tsu_shader **out);
+// NULL is fine. Threads: object.
+TSU_API void tsu_shader_destroy(tsu_shader *shader);
+
+// The text, zero-terminated; *size (may be NULL) gets its length. Threads: any.
+TSU_API const char *tsu_shader_text(const tsu_shader *shader, size_t *size);
+// 64-bit key of the text: equal keys, equal text. Threads: any.
+TSU_API uint64_t tsu_shader_key(const tsu_shader *shader);
+// File behind source string number `source` of a driver's message ("3:14: ..." is source 3, line
+// 14): sources are numbered by #line. NULL when there is none. Threads: any.
+TSU_API const char *tsu_shader_source(const tsu_shader *shader, uint32_t source);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

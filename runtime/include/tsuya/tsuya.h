@@ -1,0 +1,15 @@
+// Everything a host may include, in order of need. See README.md for ten lines that shade hair.
+#ifndef TSUYA_TSUYA_H
+#define TSUYA_TSUYA_H
+
+#include <tsuya/base.h>
+#include <tsuya/context.h>
+#include <tsuya/model.h>
+#include <tsuya/set.h>
+#include <tsuya/shader.h>
+#include <tsuya/gl.h>
+#include <tsuya/hair_color.h>
+#include <tsuya/models/kajiya_kay.h>
+#include <tsuya/models/marschner.h>
+
+#endif

@@ -1,0 +1,138 @@
+#include "models/marschner/state.h"
+
+#include "models/values.h"
+#include "optics/angle.h"
+
+#include <tsuya/models/marschner.h>
+
+#include <math.h>
+#include <string.h>
+
+typedef tsu_marschner_params params;
+
+// Brown hair: eumelanin 1.3 of melanin.c.
+static const params defaults = {
+    .struct_size = sizeof(params),
+    .eta = 1.55f,
+    .alpha_R = (float)TSU_I_DEGREES(-7.5),
+    .beta_R = (float)TSU_I_DEGREES(7.5),
+    .beta_az = (float)TSU_I_DEGREES(10),
+    .sigma_a = {0.5447f, 0.9061f, 1.781f},
+};
+
+static const tsu_parameter_info parameters[] = {
+    TSU_I_PARAMETER(params, eta, 1, "1", 1, 1.2, 2.0, 1.55, "refractive index of the fibre"),
+    TSU_I_PARAMETER(params, alpha_R, 1, "rad", 0, TSU_I_DEGREES(-20), TSU_I_DEGREES(20),
+                    TSU_I_DEGREES(-7.5),
+                    "shift of the R lobe in theta_i + theta_r; negative is towards the root"),
+    TSU_I_PARAMETER(params, beta_R, 1, "rad", 0, TSU_I_DEGREES(2), TSU_I_DEGREES(30),
+                    TSU_I_DEGREES(7.5), "longitudinal deviation of R in theta_i + theta_r"),
+    TSU_I_PARAMETER(params, beta_az, 1, "rad", 1, TSU_I_DEGREES(5), TSU_I_DEGREES(30),
+                    TSU_I_DEGREES(10), "azimuthal deviation"),
+    TSU_I_PARAMETER(params, sigma_a, 3, "1/radius", 0, 0, 1e6, 0.9061,
+                    "absorption per fibre radius, linear RGB"),
+};
+
+static const tsu_input_info inputs[] = {
+    TSU_I_INPUT("material", "int", 0, "index of the material in the bound page"),
+    TSU_I_INPUT("t", "vec3", 0, "unit tangent, root to tip"),
+    TSU_I_INPUT("l", "vec3", 0, "unit vector to the light"),
+    TSU_I_INPUT("v", "vec3", 0, "unit vector to the viewer"),
+    TSU_I_INPUT("sigma_a", "vec3", 0, "absorption per fibre radius, linear RGB"),
+};
+
+static const tsu_error_info errors[] = {
+#include "models/marschner/errors.inc"
+};
+
+static const struct tsu_i_table tables[] = {
+    {.info = {.struct_size = sizeof(tsu_table_info),
+              .name = "azimuthal",
+              .axes = "x sin(phi/2) - cos(phi/2) in [-1, 1]; y two bands of cos(theta_r) in [0, 1]",
+              .channels = "lower band N of R, TT, TRT, residual (1/rad); upper band L, V of TT, L "
+                          "of TRT, L of the residual (log2(e) fibre radii)",
+              .width = MARSCHNER_WIDTH,
+              .height = MARSCHNER_HEIGHT,
+              .bytes = MARSCHNER_WIDTH * MARSCHNER_HEIGHT * 8},
+     .key_offset = offsetof(struct marschner_state, eta),
+     .key_size = 2 * sizeof(float),
+     .units = MARSCHNER_BAND,
+     .bake = tsu_i_marschner_bake,
+     .finish = tsu_i_marschner_finish}};
+
+static const struct tsu_i_measure measures[] = {
+    {"azimuthal R+TT+TRT", tsu_i_marschner_worst},
+    {"azimuthal residual", tsu_i_marschner_worst_residual}};
+
+static const char *const snippets[] = {"marschner/longitudinal.glsl", "marschner/azimuthal.glsl",
+                                       "marschner/eval.glsl", NULL};
+
+void tsu_i_marschner_lobes(double alpha_R, double beta_R, uint32_t flags, double alpha[4],
+                           double beta[4])
+{
+    static const double textbook[4] = {1.0, -0.5, -1.5, -2.5}, scales[4] = {1.0, -0.92, -3.2, -1.2};
+    static const double width[4] = {1.0, 0.5, 2.0, 2.0};
+    for (int p = 0; p < 4; p++) {
+        alpha[p] = alpha_R * (flags & TSU_MARSCHNER_SCALE_SHIFTS ? scales : textbook)[p];
+        beta[p] = beta_R * width[p];
+    }
+}
+
+static void prepare(const void *from, void *to)
+{
+    const params *p = from;
+    struct marschner_state *state = to;
+    state->eta = p->eta;
+    state->beta_az = p->beta_az;
+    tsu_i_marschner_lobes(p->alpha_R, p->beta_R, p->flags, state->alpha, state->beta);
+    memcpy(state->sigma_a, p->sigma_a, sizeof state->sigma_a);
+}
+
+static void record(const void *from, const struct tsu_i_place *places, float *out)
+{
+    const struct marschner_state *state = from;
+    for (int p = 0; p < 3; p++) {
+        const double v = state->beta[p] * state->beta[p];
+        const double c = 1.0 / (v * -expm1(-2.0 / v));
+        out[4 * p + 0] = (float)(TSU_I_LOG2E * cos(state->alpha[p]) / v);
+        out[4 * p + 1] = (float)(TSU_I_LOG2E * sin(state->alpha[p]) / v);
+        // 3.13487669: scale of I0e's fit, see glsl/marschner/longitudinal.glsl.
+        out[4 * p + 2] = (float)(log2(c) - TSU_I_LOG2E / v - 0.5 * log2(3.13487669));
+    }
+    out[3] = ((float)places->x + 64.0f) / (float)places->width;
+    out[7] = ((float)places->y + 0.5f) / (float)places->height;
+    memcpy(out + 12, state->sigma_a, sizeof state->sigma_a);
+    out[15] = state->eta;
+}
+
+const struct tsu_model tsu_i_model_marschner = {
+    .info = {.struct_size = sizeof(tsu_model_info),
+             .name = "marschner",
+             .title = "Marschner fibre (R, TT, TRT, residual)",
+             .source = "Marschner et al. 2003, Light Scattering from Human Hair Fibers; d'Eon et al. "
+                       "2011, An Energy-Conserving Hair Reflectance Model",
+             .params_size = sizeof(params),
+             .parameter_count = sizeof parameters / sizeof *parameters,
+             .table_count = sizeof tables / sizeof *tables,
+             .error_count = sizeof errors / sizeof *errors,
+             .input_count = sizeof inputs / sizeof *inputs,
+             .function_count = MARSCHNER_FUNCTIONS},
+    .defaults = &defaults,
+    .params_least = offsetof(params, reserved) + sizeof(float),
+    .known_flags = TSU_MARSCHNER_SCALE_SHIFTS,
+    .parameters = parameters,
+    .tables = tables,
+    .measures = measures,
+    .measure_count = sizeof measures / sizeof *measures,
+    .errors = errors,
+    .inputs = inputs,
+    .functions = tsu_i_marschner_functions,
+    .snippets = snippets,
+    .prepare = prepare,
+    .record = record,
+};
+
+const tsu_model *tsu_marschner(void)
+{
+    return &tsu_i_model_marschner;
+}

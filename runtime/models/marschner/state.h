@@ -1,0 +1,41 @@
+// What the files of this model share.
+#ifndef TSU_MODELS_MARSCHNER_STATE_H
+#define TSU_MODELS_MARSCHNER_STATE_H
+
+#include "models/model.h"
+
+enum { MARSCHNER_WIDTH = 128, MARSCHNER_HEIGHT = 128, MARSCHNER_BAND = 64 };
+
+struct marschner_state {
+    float eta, beta_az; // key of the table: keep these two together and first
+    double alpha[4], beta[4];
+    float sigma_a[3];
+};
+
+// Lobe shifts and deviations in the order R, TT, TRT, residual.
+void tsu_i_marschner_lobes(double alpha_R, double beta_R, uint32_t flags, double alpha[4],
+                           double beta[4]);
+
+// table.c
+void tsu_i_marschner_bake(const void *state, uint32_t row, float *texels);
+void tsu_i_marschner_finish(float *texels);
+double tsu_i_marschner_worst(const void *state, const struct tsu_i_texels *tables);
+double tsu_i_marschner_worst_residual(const void *state, const struct tsu_i_texels *tables);
+
+// sample.c: the shader's formulas in C.
+// N of the four lobes at phi after absorption.
+void tsu_i_marschner_sample(const struct tsu_i_texels *table, float cos_r, float cos2_half,
+                            float sigma_a, float n[4]);
+void tsu_i_marschner_hair(const void *state, const float *record,
+                          const struct tsu_i_texels *tables, const double *in, double *out);
+void tsu_i_marschner_azimuthal(const void *state, const float *record,
+                               const struct tsu_i_texels *tables, const double *in, double *out);
+void tsu_i_marschner_longitudinal(const void *state, const float *record,
+                                  const struct tsu_i_texels *tables, const double *in,
+                                  double *out);
+
+// functions.c
+enum { MARSCHNER_FUNCTIONS = 3 };
+extern const struct tsu_i_function tsu_i_marschner_functions[MARSCHNER_FUNCTIONS];
+
+#endif
