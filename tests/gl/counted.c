@@ -53,7 +53,6 @@ static void count_bytes(int index, ptrdiff_t size)
 PLAIN(PixelStorei, (uint32_t a, int32_t b), (a, b))
 PLAIN(ActiveTexture, (uint32_t a), (a))
 PLAIN(BindTexture, (uint32_t a, uint32_t b), (a, b))
-PLAIN(BindSampler, (uint32_t a, uint32_t b), (a, b))
 PLAIN(DeleteTextures, (int32_t a, const uint32_t *b), (a, b))
 PLAIN(TexParameteri, (uint32_t a, uint32_t b, int32_t c), (a, b, c))
 PLAIN(TexImage2D,
@@ -103,6 +102,12 @@ static void TSU_I_GL_CALL c_GetIntegerv(uint32_t name, int32_t *out)
     real.GetIntegerv(name, out);
     if (counted.max_texture_size && name == TSU_I_GL_MAX_TEXTURE_SIZE)
         *out = counted.max_texture_size;
+}
+
+static void TSU_I_GL_CALL c_BindSampler(uint32_t unit, uint32_t sampler)
+{
+    count(I_BindSampler);
+    real.BindSampler(counted.bad_unit ? 0xFFFF : unit, sampler);
 }
 
 static void TSU_I_GL_CALL c_GenTextures(int32_t n, uint32_t *out)

@@ -19,6 +19,7 @@ struct counted {
     int max_texture_size; // answer GL_MAX_TEXTURE_SIZE with it
     int no_textures;      // give the name 0 for every new texture
     int no_buffers;       // likewise
+    int bad_unit;         // bind samplers to a unit that is not there: an error of GL
     unsigned stuck;       // answer glGetError with it, always
 
     // Since counted_reset().

@@ -7,6 +7,7 @@ int create_tests(void);
 int sync_tests(void);
 int sync_edge_tests(void);
 int bind_tests(void);
+int check_tests(void);
 int hostile_tests(void);
 
 #endif
