@@ -6,6 +6,7 @@
 
 struct tsu_context {
     tsu_context_desc desc;
+    uint64_t sets; // made so far
 };
 
 // Zeroed memory, NULL when `count * size` overflows or the host has none (logged).

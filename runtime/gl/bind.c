@@ -23,7 +23,7 @@ static tsu_status check_points(const tsu_gl *gl, const char *function, uint32_t 
 
 static tsu_status check_page(const tsu_gl *gl, const char *function, uint32_t page)
 {
-    if (!gl->set) {
+    if (!gl->set_id) {
         tsu_i_log(gl->context, TSU_LOG_ERROR, TSU_LOG_GL_STATE,
                   "%s: nothing was uploaded; call tsu_gl_sync() first", function);
         return TSU_E_STATE;

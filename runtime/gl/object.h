@@ -9,8 +9,8 @@ struct tsu_gl {
     uint32_t flags;
     struct tsu_i_gl_api api;
 
-    const tsu_set *set; // what was synced last; compared, never read. NULL before the first sync
-    uint64_t generation, texture_generation; // of `set` then
+    uint64_t set_id; // of the set that was synced last; 0 before the first sync
+    uint64_t generation, texture_generation; // of that set then
     uint32_t texture, width, height;         // 0 before the first sync of a set with pages
     uint32_t buffer, page_capacity, page_count;
 };

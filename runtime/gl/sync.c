@@ -188,8 +188,7 @@ static tsu_status check(const tsu_gl *gl, const tsu_set_info *info)
 
 static tsu_status upload(tsu_gl *gl, const tsu_set *set, const tsu_set_info *info)
 {
-    // A generation that went back is another set at the same address.
-    const int all = gl->set != set || info->generation < gl->generation;
+    const int all = gl->set_id != info->id;
     if (!gl->buffer) {
         if (gl->api.direct)
             gl->api.CreateBuffers(1, &gl->buffer);
@@ -219,7 +218,7 @@ tsu_status tsu_gl_sync(tsu_gl *gl, const tsu_set *set)
     tsu_status status = tsu_set_describe(set, &info);
     if (!status)
         status = check(gl, &info);
-    if (status || (gl->set == set && gl->generation == info.generation))
+    if (status || (gl->set_id == info.id && gl->generation == info.generation))
         return status;
     tsu_i_object_begin(gl, "tsu_gl_sync");
     if (info.page_count)
@@ -229,7 +228,7 @@ tsu_status tsu_gl_sync(tsu_gl *gl, const tsu_set *set)
     tsu_i_object_end(gl, "tsu_gl_sync");
     if (status)
         return status;
-    gl->set = set;
+    gl->set_id = info.id;
     gl->generation = info.generation;
     gl->texture_generation = info.texture_generation;
     return TSU_OK;

@@ -3,12 +3,12 @@
 #include <string.h>
 
 #define TSU_MODEL(name) extern const struct tsu_model tsu_i_model_##name;
-#include "registry.inc"
+#include "models/registry.inc"
 #undef TSU_MODEL
 
 const struct tsu_model *const tsu_i_models[] = {
 #define TSU_MODEL(name) &tsu_i_model_##name,
-#include "registry.inc"
+#include "models/registry.inc"
 #undef TSU_MODEL
     NULL};
 

@@ -1,4 +1,4 @@
-// A context holds the host's callbacks. It has no other state: two contexts never meet.
+// A context holds the host's callbacks and numbers the sets made from it. Two contexts never meet.
 #ifndef TSUYA_CONTEXT_H
 #define TSUYA_CONTEXT_H
 

@@ -4,7 +4,7 @@
 // nothing, never calls glGetError (except under TSU_GL_CHECK) and keeps no copy of host state.
 //
 // State contract
-//   tsu_gl_create, tsu_gl_describe, tsu_gl_bindings   touch nothing
+//   tsu_gl_create, tsu_gl_bindings   touch nothing
 //   tsu_gl_sync    when nothing changed: no GL call. Otherwise it saves, sets and restores
 //                  PIXEL_UNPACK_BUFFER, UNPACK_{ALIGNMENT, ROW_LENGTH, IMAGE_HEIGHT, SKIP_PIXELS,
 //                  SKIP_ROWS, SKIP_IMAGES} and, where it exists, UNPACK_SWAP_BYTES, UNPACK_LSB_FIRST,
@@ -61,9 +61,9 @@ TSU_API void tsu_gl_abandon(tsu_gl *gl);
 
 // Upload what changed in `set` since the last call with it: new and re-baked tables, changed pages.
 // One tsu_gl serves one set at a time; another set uploads everything anew. Makes no GL call and
-// no allocation when nothing changed.
+// no allocation when nothing changed. A texture that grows gets a new name, the buffer keeps its.
 // Errors: TSU_E_STATE (stale tables: bake first), TSU_E_LIMIT (texture larger than
-// GL_MAX_TEXTURE_SIZE, named), TSU_E_MEMORY. Threads: context.
+// GL_MAX_TEXTURE_SIZE, named), TSU_E_PARAMETER (NULL), TSU_E_MEMORY. Threads: context.
 TSU_API tsu_status tsu_gl_sync(tsu_gl *gl, const tsu_set *set);
 
 // Once after a program is linked: sampler tsu_tables to `unit`, block tsu_materials to

@@ -38,7 +38,7 @@ typedef struct tsu_set_desc {
 TSU_API tsu_status tsu_set_desc_init_sized(tsu_set_desc *desc, size_t size);
 #define tsu_set_desc_init(desc) tsu_set_desc_init_sized((desc), sizeof *(desc))
 
-// Make an empty set. Errors: TSU_E_STRUCT, TSU_E_PARAMETER, TSU_E_MEMORY. Threads: any.
+// Make an empty set. Errors: TSU_E_STRUCT, TSU_E_PARAMETER, TSU_E_MEMORY. Threads: object (context).
 TSU_API tsu_status tsu_set_create(tsu_context *context, const tsu_set_desc *desc, tsu_set **out);
 // Free a set; NULL is fine. GPU copies are the GL tier's. Threads: object.
 TSU_API void tsu_set_destroy(tsu_set *set);
@@ -63,15 +63,16 @@ TSU_API tsu_status tsu_set_remove(tsu_set *set, uint32_t material);
 TSU_API tsu_status tsu_set_bake(tsu_set *set);
 
 typedef struct tsu_set_info {
-    uint32_t struct_size;    // set by tsu_set_info_init()
-    uint32_t flags;          // 0
-    uint32_t material_count; // live materials
-    uint32_t page_count;     // pages that hold or held one
-    uint32_t table_count;    // distinct tables
-    uint32_t stale_count;    // tables that tsu_set_bake() would bake
-    uint32_t width, height;  // of the texture, texels; 0 before the first table
-    uint64_t generation;     // grows with every change of texture or pages
-    uint64_t texture_generation;
+    uint32_t struct_size;        // set by tsu_set_info_init()
+    uint32_t flags;              // 0
+    uint32_t material_count;     // live materials
+    uint32_t page_count;         // pages that hold or held one
+    uint32_t table_count;        // distinct tables
+    uint32_t stale_count;        // tables that tsu_set_bake() would bake
+    uint32_t width, height;      // of the texture, texels; 0 before the first table
+    uint64_t generation;         // grows with every change; one counter for all that changes
+    uint64_t texture_generation; // when the texture last changed its size
+    uint64_t id;                 // of the set: no other set of this context has or had it
 } tsu_set_info;
 #define tsu_set_info_init(info) tsu_info_init_sized((info), sizeof *(info))
 // Errors: TSU_E_PARAMETER, TSU_E_STRUCT. Threads: object.
@@ -87,7 +88,8 @@ typedef struct tsu_region {
     uint32_t x, y, width, height;
     uint64_t generation; // when it last changed
 } tsu_region;
-// Region `index` of the texture, one a table, in no special order; 0 past the last.
+// Region `index` of the texture, one a table, in no special order; 0 past the last. A table that is
+// no longer used leaves a region of no width.
 // Threads: object.
 TSU_API int32_t tsu_set_region(const tsu_set *set, uint32_t index, tsu_region *out);
 

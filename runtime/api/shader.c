@@ -1,0 +1,108 @@
+#include "base/desc.h"
+#include "base/hash.h"
+#include "base/host.h"
+#include "shade/assemble.h"
+#include "shade/dialect.h"
+
+struct tsu_shader {
+    const tsu_context *context;
+    struct tsu_i_assembly assembly;
+    uint64_t key;
+};
+
+tsu_status tsu_shader_desc_init_sized(tsu_shader_desc *desc, size_t size)
+{
+    const tsu_shader_desc defaults = {.struct_size = sizeof defaults,
+                                      .target = TSU_TARGET_330,
+                                      .array_materials = 1,
+                                      .block_binding = 1};
+    return tsu_i_desc_init(desc, size, &defaults, sizeof defaults, sizeof defaults);
+}
+
+static tsu_status reject(const tsu_context *context, const char *what, uint32_t value,
+                         const char *expected)
+{
+    tsu_i_log(context, TSU_LOG_ERROR, TSU_LOG_SHADER, "tsu_shader_desc.%s = %u, expected %s", what,
+              value, expected);
+    return TSU_E_PARAMETER;
+}
+
+static tsu_status check(const tsu_context *context, const tsu_shader_desc *desc)
+{
+    const uint32_t known = TSU_SHADER_ARRAY | TSU_SHADER_PROBE | TSU_SHADER_HARNESS;
+    if (desc->flags & ~known)
+        return reject(context, "flags", desc->flags, "TSU_SHADER_* bits");
+    if (desc->reserved)
+        return reject(context, "reserved", desc->reserved, "0");
+    if (!tsu_i_dialect_find(desc->target))
+        return reject(context, "target", (uint32_t)desc->target, "a TSU_TARGET_* value");
+    if (desc->model_count < 1 || desc->model_count > tsu_model_count() || !desc->models)
+        return reject(context, "model_count", desc->model_count, "1 to the number of models");
+    for (uint32_t i = 0; i < desc->model_count; i++)
+        if (!desc->models[i])
+            return reject(context, "models", i, "no NULL entry");
+    if (desc->flags & TSU_SHADER_PROBE &&
+        (desc->model_count != 1 || desc->function >= desc->models[0]->info.function_count))
+        return reject(context, "function", desc->function, "a function of the one model asked for");
+    if (desc->flags & TSU_SHADER_ARRAY && desc->target == TSU_TARGET_VULKAN)
+        return reject(context, "flags", desc->flags, "no TSU_SHADER_ARRAY for Vulkan");
+    if (desc->array_materials < 1 || desc->array_materials > 127)
+        return reject(context, "array_materials", desc->array_materials, "[1, 127]");
+    return TSU_OK;
+}
+
+tsu_status tsu_shader_create(tsu_context *context, const tsu_shader_desc *desc, tsu_shader **out)
+{
+    if (!out)
+        return TSU_E_PARAMETER;
+    *out = NULL;
+    if (!context)
+        return TSU_E_PARAMETER;
+    tsu_shader_desc own;
+    tsu_status status = tsu_i_desc_read(context, "tsu_shader_desc", desc, &own, sizeof own,
+                                        sizeof own);
+    if (status == TSU_OK)
+        status = check(context, &own);
+    if (status != TSU_OK)
+        return status;
+    tsu_shader *shader = tsu_i_alloc(context, 1, sizeof *shader);
+    if (!shader)
+        return TSU_E_MEMORY;
+    shader->context = context;
+    status = tsu_i_assemble(context, &own, &shader->assembly);
+    if (status != TSU_OK) {
+        tsu_shader_destroy(shader);
+        return status;
+    }
+    const struct tsu_i_text *text = &shader->assembly.text;
+    shader->key = tsu_i_hash(TSU_I_HASH_START, text->bytes, text->size);
+    *out = shader;
+    return TSU_OK;
+}
+
+void tsu_shader_destroy(tsu_shader *shader)
+{
+    if (!shader)
+        return;
+    tsu_i_text_free(&shader->assembly.text);
+    tsu_i_free(shader->context, shader, 1, sizeof *shader);
+}
+
+const char *tsu_shader_text(const tsu_shader *shader, size_t *size)
+{
+    if (size)
+        *size = shader ? shader->assembly.text.size : 0;
+    return shader ? shader->assembly.text.bytes : NULL;
+}
+
+uint64_t tsu_shader_key(const tsu_shader *shader)
+{
+    return shader ? shader->key : 0;
+}
+
+const char *tsu_shader_source(const tsu_shader *shader, uint32_t source)
+{
+    return shader && source < shader->assembly.source_count && source < TSU_I_SOURCES
+               ? shader->assembly.sources[source]
+               : NULL;
+}

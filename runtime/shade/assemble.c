@@ -1,0 +1,231 @@
+#include "shade/assemble.h"
+
+#include "base/host.h"
+#include "shade/dialect.h"
+#include "shade/snippet.h"
+
+#include <string.h>
+
+struct assembler {
+    const tsu_context *context;
+    const tsu_shader_desc *desc;
+    const struct tsu_i_dialect *dialect;
+    struct tsu_i_assembly *out;
+};
+
+static void put(const struct assembler *a, const char *string)
+{
+    tsu_i_text_string(&a->out->text, string);
+}
+
+static void put_number(const struct assembler *a, uint32_t value)
+{
+    tsu_i_text_number(&a->out->text, value);
+}
+
+static void put_line(const struct assembler *a, uint32_t source)
+{
+    put(a, "#line 1 ");
+    put_number(a, source);
+    put(a, "\n");
+}
+
+static int contains(const char *text, size_t size, const char *word)
+{
+    const size_t length = strlen(word);
+    for (size_t i = 0; i + length <= size; i++)
+        if (memcmp(text + i, word, length) == 0)
+            return 1;
+    return 0;
+}
+
+// The host's text for a file, when it has one; checked for what the host's own stage must own.
+static tsu_status host_text(const struct assembler *a, const char *name, const char **text,
+                            size_t *size)
+{
+    static const char *const forbidden[] = {"#version", "void main", "gl_Frag"};
+    *text = NULL;
+    if (!a->context->desc.read || !a->context->desc.read(a->context->desc.read_user, name, text, size))
+        *text = NULL;
+    for (size_t i = 0; *text && i < sizeof forbidden / sizeof *forbidden; i++)
+        if (contains(*text, *size, forbidden[i])) {
+            tsu_i_log(a->context, TSU_LOG_ERROR, TSU_LOG_SNIPPET, "%s from the host contains \"%s\"",
+                      name, forbidden[i]);
+            return TSU_E_HOST;
+        }
+    return TSU_OK;
+}
+
+static tsu_status put_file(const struct assembler *a, const char *name)
+{
+    const struct tsu_i_snippet *snippet = tsu_i_snippets;
+    while (snippet->name && strcmp(snippet->name, name) != 0)
+        snippet++;
+    const char *text;
+    size_t size;
+    const tsu_status status = host_text(a, name, &text, &size);
+    if (status != TSU_OK)
+        return status;
+    if (!text && !snippet->name) {
+        tsu_i_log(a->context, TSU_LOG_ERROR, TSU_LOG_SNIPPET, "no GLSL file %s", name);
+        return TSU_E_PARAMETER;
+    }
+    struct tsu_i_assembly *out = a->out;
+    if (out->source_count < TSU_I_SOURCES)
+        out->sources[out->source_count] = snippet->name;
+    put_line(a, out->source_count++);
+    if (text)
+        tsu_i_text_put(&out->text, text, size);
+    else
+        tsu_i_text_put(&out->text, (const char *)snippet->bytes, snippet->size);
+    put(a, "\n");
+    return TSU_OK;
+}
+
+static int listed_before(const tsu_shader_desc *desc, uint32_t index)
+{
+    for (uint32_t i = 0; i < index; i++)
+        if (desc->models[i] == desc->models[index])
+            return 1;
+    return 0;
+}
+
+static void put_binding(const struct assembler *a, uint32_t binding, const char *before)
+{
+    put(a, before);
+    put(a, "set = ");
+    put_number(a, a->desc->set);
+    put(a, ", binding = ");
+    put_number(a, binding);
+}
+
+static void put_resources(const struct assembler *a)
+{
+    int tables = 0;
+    for (uint32_t i = 0; i < a->desc->model_count; i++)
+        tables |= a->desc->models[i]->info.table_count > 0;
+    if (tables) {
+        if (a->dialect->bindings) {
+            put_binding(a, a->desc->sampler_binding, "layout(");
+            put(a, ") ");
+        }
+        put(a, "uniform sampler2D tsu_tables;\n");
+    }
+    if (a->desc->flags & TSU_SHADER_ARRAY) {
+        put(a, "uniform vec4 tsu_records[");
+        put_number(a, (a->desc->array_materials + 1) * 8);
+        put(a, "];\n");
+        return;
+    }
+    put(a, "layout(std140");
+    if (a->dialect->bindings)
+        put_binding(a, a->desc->block_binding, ", ");
+    put(a, ") uniform tsu_materials {\n    vec4 tsu_records[1024];\n};\n");
+}
+
+static void put_varying(const struct assembler *a, uint32_t *location, const char *type,
+                        const char *name)
+{
+    if (a->dialect->locations) {
+        put(a, "layout(location = ");
+        put_number(a, (*location)++);
+        put(a, ") ");
+    }
+    if (strcmp(type, "int") == 0)
+        put(a, "flat ");
+    put(a, "in ");
+    put(a, type);
+    put(a, " ");
+    put(a, name);
+    put(a, ";\n");
+}
+
+// Extra inputs are shared between models by name.
+static int extra_before(const tsu_shader_desc *desc, uint32_t model, const char *name)
+{
+    for (uint32_t i = 0; i < model; i++)
+        for (uint32_t k = 0; k < desc->models[i]->info.input_count; k++)
+            if (strcmp(desc->models[i]->inputs[k].name, name) == 0)
+                return 1;
+    return 0;
+}
+
+static void put_varyings(const struct assembler *a)
+{
+    static const char *const fixed[] = {"t", "l", "v", "sigma_a"};
+    uint32_t location = 0;
+    for (size_t i = 0; i < sizeof fixed / sizeof *fixed; i++)
+        put_varying(a, &location, "vec3", fixed[i]);
+    put_varying(a, &location, "int", "material");
+    for (uint32_t i = 0; i < a->desc->model_count; i++)
+        for (uint32_t k = 0; k < a->desc->models[i]->info.input_count; k++) {
+            const tsu_input_info *input = a->desc->models[i]->inputs + k;
+            if (input->flags & TSU_INPUT_EXTRA && !extra_before(a->desc, i, input->name))
+                put_varying(a, &location, input->type, input->name);
+        }
+    put(a, "layout(location = 0) out vec4 o;\n");
+}
+
+static void put_main(const struct assembler *a)
+{
+    put(a, "void main()\n{\n    vec3 sum = vec3(0.0);\n");
+    for (uint32_t i = 0; i < a->desc->model_count; i++) {
+        const struct tsu_model *model = a->desc->models[i];
+        if (listed_before(a->desc, i))
+            continue;
+        put(a, "    sum += tsu_");
+        put(a, model->info.name);
+        put(a, "_sum(tsu_");
+        put(a, model->info.name);
+        put(a, "_eval(");
+        for (uint32_t k = 0; k < model->info.input_count; k++) {
+            put(a, k ? ", " : "");
+            put(a, model->inputs[k].name);
+        }
+        put(a, "));\n");
+    }
+    put(a, "    o = vec4(sum, 1.0);\n}\n");
+}
+
+static tsu_status put_probe(const struct assembler *a)
+{
+    char name[96];
+    struct tsu_i_line line = {name, sizeof name, 0};
+    tsu_i_line_put(&line, a->desc->models[0]->info.name);
+    tsu_i_line_put(&line, "/probe_");
+    tsu_i_line_put(&line, a->desc->models[0]->functions[a->desc->function].info.name);
+    tsu_i_line_put(&line, ".glsl");
+    for (size_t i = 0; i < line.size; i++)
+        if (name[i] == '-')
+            name[i] = '_';
+    return put_file(a, name);
+}
+
+tsu_status tsu_i_assemble(const tsu_context *context, const tsu_shader_desc *desc,
+                          struct tsu_i_assembly *out)
+{
+    const struct assembler a = {context, desc, tsu_i_dialect_find(desc->target), out};
+    const int harness = (desc->flags & TSU_SHADER_HARNESS) != 0;
+    out->text.context = context;
+    out->sources[0] = "tsuya";
+    out->source_count = 1;
+    if (harness)
+        put(&a, a.dialect->version);
+    put(&a, "// tsuya, MIT licence: functions, one sampler and one block that begin with tsu_.\n");
+    put(&a, a.dialect->preamble);
+    put_resources(&a);
+    if (harness)
+        put_varyings(&a);
+    tsu_status status = put_file(&a, "prelude/records.glsl");
+    for (uint32_t i = 0; i < desc->model_count && status == TSU_OK; i++)
+        for (const char *const *file = desc->models[i]->snippets;
+             *file && status == TSU_OK && !listed_before(desc, i); file++)
+            status = put_file(&a, *file);
+    if (status == TSU_OK && desc->flags & TSU_SHADER_PROBE)
+        status = put_probe(&a);
+    if (harness && status == TSU_OK) {
+        put_line(&a, 0);
+        put_main(&a);
+    }
+    return status == TSU_OK && out->text.failed ? TSU_E_MEMORY : status;
+}
