@@ -133,7 +133,8 @@ static void write_header(tsu_set *set, struct page *page)
     const float w = (float)set->pool.width, h = (float)set->pool.height;
     if (w == 0.0f || h == 0.0f)
         return;
-    const float header[8] = {1.0f / w, 1.0f / h, w, h, 63.5f / w, 63.0f / h, 64.0f / h, 0.0f};
+    // 62.9999 and not 63: a coordinate that rounds past 1 must not reach the next band's first row.
+    const float header[8] = {1.0f / w, 1.0f / h, w, h, 63.5f / w, 62.9999f / h, 64.0f / h, 0.0f};
     memcpy(page->values, header, sizeof header);
     page->generation = ++set->generation;
 }

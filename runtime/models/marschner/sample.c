@@ -30,7 +30,7 @@ static void azimuthal(const struct tsu_i_texels *table, float cos_r, float cos2_
                       float path[4])
 {
     const float x = sqrtf(1.0f - cos2_half) - sqrtf(cos2_half);
-    const float column = x * 63.5f + 63.5f, row = cos_r * 63.0f;
+    const float column = x * 63.5f + 63.5f, row = cos_r * 62.9999f;
     fetch(table, column, row, n);
     fetch(table, column, row + (float)MARSCHNER_BAND, path);
 }

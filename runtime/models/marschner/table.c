@@ -82,11 +82,16 @@ static void deposit_ray(const struct spread *s, double exit, int count, const fl
     deposit(s, 2.0 * TSU_I_PI - phi, count, weights, sums);
 }
 
+// At grazing view the residual's mean path grows without limit; past this length nothing is left of it
+// at any absorption that the eye can tell from none, and halves stay exact enough to interpolate.
+#define LONGEST 48.0
+
 // Effective path -ln(part/whole)/sigma; where both vanish in the Gaussian's tail, that of the mean.
 static double path(double part, double whole, double mean, double sigma)
 {
     const double floor_value = 1e-9;
-    return -log((part + floor_value * mean) / (whole + floor_value)) / sigma;
+    const double length = -log((part + floor_value * mean) / (whole + floor_value)) / sigma;
+    return fmin(length, LONGEST);
 }
 
 struct row {
@@ -116,7 +121,7 @@ static void scatter(const struct marschner_state *state, uint32_t band_row, stru
         length += one * (3.0 + f / (1.0 - f)) * ray.segment;
     }
     for (int k = 0; k < 2; k++)
-        row->res_sigma[k] = res_sigma[k] * weight / length;
+        row->res_sigma[k] = res_sigma[k] * fmax(weight / length, 1.0 / LONGEST);
     for (int i = 0; i < RAYS; i++) {
         const struct tsu_i_ray ray = tsu_i_fiber_ray(state->eta, cos_theta, PANELS, i);
         const double f = ray.fresnel, through = ray.weight * (1.0 - f) * (1.0 - f);
