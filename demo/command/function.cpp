@@ -1,0 +1,189 @@
+#include "function.h"
+
+#include "arguments.h"
+#include "number.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tsuya::command {
+
+namespace {
+
+Value value_of(const tsu_value_info &info)
+{
+    Value value;
+    const bool angle = std::string(info.unit) == "rad";
+    value.name = info.name;
+    value.column = value.name + (angle ? "_deg" : "");
+    value.scale = angle ? degree : 1.0;
+    value.material = (info.flags & TSU_VALUE_MATERIAL) != 0;
+    value.minimum = info.minimum;
+    value.maximum = info.maximum;
+    value.default_value = info.default_value;
+    return value;
+}
+
+Function function_of(const tsu_model *model, std::uint32_t index)
+{
+    Function function;
+    function.model = model;
+    function.index = index;
+    tsu_function_info info;
+    tsu_function_info_init(&info);
+    tsu_model_function(model, index, &info);
+    function.name = info.name;
+    for (std::uint32_t i = 0; i < info.input_count; i++) {
+        tsu_value_info value;
+        tsu_value_info_init(&value);
+        tsu_function_input(model, index, i, &value);
+        function.inputs.push_back(value_of(value));
+    }
+    for (std::uint32_t i = 0; i < info.output_count; i++) {
+        tsu_value_info value;
+        tsu_value_info_init(&value);
+        tsu_function_output(model, index, i, &value);
+        function.outputs.push_back(value_of(value));
+    }
+    return function;
+}
+
+std::vector<Function> functions_of(const tsu_model *model)
+{
+    tsu_model_info info;
+    tsu_model_info_init(&info);
+    tsu_model_describe(model, &info);
+    std::vector<Function> functions;
+    for (std::uint32_t i = 0; i < info.function_count; i++) {
+        functions.push_back(function_of(model, i));
+    }
+    return functions;
+}
+
+// Functions of one model, or of all when `model` is NULL.
+std::vector<Function> all_functions(const tsu_model *model)
+{
+    if (model) {
+        return functions_of(model);
+    }
+    std::vector<Function> functions;
+    for (std::uint32_t i = 0; i < tsu_model_count(); i++) {
+        for (const Function &function : functions_of(tsu_model_at(i))) {
+            functions.push_back(function);
+        }
+    }
+    return functions;
+}
+
+void add_once(std::vector<std::string> &names, const std::string &name)
+{
+    if (std::find(names.begin(), names.end(), name) == names.end()) {
+        names.push_back(name);
+    }
+}
+
+// Variants answer the same question: `a` and `b` have the same columns.
+bool same_inputs(const Function &a, const Function &b)
+{
+    return std::equal(a.inputs.begin(), a.inputs.end(), b.inputs.begin(), b.inputs.end(),
+                      [](const Value &x, const Value &y) { return x.column == y.column; });
+}
+
+} // namespace
+
+std::string model_name(const tsu_model *model)
+{
+    tsu_model_info info;
+    tsu_model_info_init(&info);
+    tsu_model_describe(model, &info);
+    return info.name;
+}
+
+std::vector<std::string> model_names()
+{
+    std::vector<std::string> names;
+    for (std::uint32_t i = 0; i < tsu_model_count(); i++) {
+        names.push_back(model_name(tsu_model_at(i)));
+    }
+    return names;
+}
+
+const tsu_model *find_model(const std::string &name, std::string &error)
+{
+    const tsu_model *const model = tsu_model_find(name.c_str());
+    if (!model) {
+        const std::vector<std::string> names = model_names();
+        error = "there is no model \"" + name + "\"" + suggestion(name, names) +
+                "; the models are " + joined(names) + ".";
+    }
+    return model;
+}
+
+std::vector<std::string> function_names()
+{
+    std::vector<std::string> names;
+    for (const Function &function : all_functions(nullptr)) {
+        add_once(names, function.name);
+    }
+    return names;
+}
+
+bool find_function(const std::string &name, const std::string &model, const std::string &variant,
+                   Function &out, std::string &error)
+{
+    const tsu_model *only = nullptr;
+    if (!model.empty() && !(only = find_model(model, error))) {
+        return false;
+    }
+    std::vector<std::string> names, variants;
+    const std::vector<Function> functions = all_functions(only);
+    const Function *base = nullptr;
+    for (const Function &function : functions) {
+        base = !base && function.name == name ? &function : base;
+        add_once(names, function.name);
+    }
+    for (const Function &function : functions) {
+        const std::size_t size = name.size() + 1;
+        if (!base || function.name.compare(0, size, name + "-") != 0 ||
+            !same_inputs(function, *base)) {
+            continue;
+        }
+        add_once(variants, function.name.substr(size));
+        if (!variant.empty() && function.name.substr(size) == variant) {
+            out = function;
+            return true;
+        }
+    }
+    if (base && variant.empty()) {
+        out = *base;
+        return true;
+    }
+    const std::string whose = only ? "model " + model : "any model";
+    if (base) {
+        error = "function " + name + " has no variant \"" + variant + "\"" +
+                suggestion(variant, variants) + "; " +
+                (variants.empty() ? "it has none" : "its variants are " + joined(variants)) + ".";
+    } else {
+        error = "there is no function \"" + name + "\" in " + whose + suggestion(name, names) +
+                "; the functions are " + joined(names) + ".";
+    }
+    return false;
+}
+
+bool to_api(const Value &value, double number, double &out, std::string &error)
+{
+    out = number * value.scale;
+    const double low = value.minimum, high = value.maximum;
+    const double slack = 1e-9;
+    // Written so that NaN is outside.
+    if (!(out >= low - slack * std::fabs(low) && out <= high + slack * std::fabs(high)) ||
+        !std::isfinite(out)) {
+        error = number_text(number, 15) + " is outside [" + number_text(low / value.scale, 10) +
+                ", " + number_text(high / value.scale, 10) + "]";
+        return false;
+    }
+    out = std::clamp(out, low, high);
+    return true;
+}
+
+} // namespace tsuya::command

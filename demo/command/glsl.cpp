@@ -1,0 +1,124 @@
+// `tsuya glsl`: the text that an engine pastes.
+#include "arguments.h"
+#include "commands.h"
+#include "function.h"
+#include "host.h"
+#include "number.h"
+
+#include <tsuya/shader.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace tsuya::command;
+
+const std::vector<std::string> targets = {"330", "410", "450", "300es", "310es", "vulkan"};
+
+Manual manual()
+{
+    return {"glsl",
+            "MODEL[,MODEL...] --target TARGET [--harness] [--array N]",
+            "Prints the GLSL of one or more models: functions, structs and macros that begin with\n"
+            "tsu_ or TSU_, one sampler tsu_tables and one block tsu_materials for all of them.\n"
+            "Without --harness the text has no #version, no main, no in and no out: paste it after\n"
+            "your own header. For each model M it defines\n"
+            "  tsu_M_lobes tsu_M_eval(int material, vec3 t, vec3 l, vec3 v, vec3 sigma_a, ...);\n"
+            "  vec3 tsu_M_sum(tsu_M_lobes lobes);\n"
+            "Models: " + joined(model_names()) + ".\n",
+            {{"--target", "TARGET", "language: " + joined(targets)},
+             {"--harness", "", "one complete fragment shader: varyings t, l, v, sigma_a, flat material\n"
+                               "and the models' extra inputs; o = vec4(sum of all lobes, 1)"},
+             {"--array", "N", "records as `uniform vec4 tsu_records[]` for N materials, 1 to 127,\n"
+                              "in place of the block"}},
+            "  tsuya glsl marschner --target 330\n"
+            "  tsuya glsl kajiya_kay,marschner --target vulkan --harness > both.frag\n"};
+}
+
+bool find_models(const std::string &list, std::vector<const tsu_model *> &models,
+                 std::string &error)
+{
+    for (std::size_t from = 0; from <= list.size();) {
+        const std::size_t end = std::min(list.find(',', from), list.size());
+        const tsu_model *const model = find_model(list.substr(from, end - from), error);
+        if (!model) {
+            return false;
+        }
+        models.push_back(model);
+        from = end + 1;
+    }
+    return true;
+}
+
+bool describe(const Arguments &arguments, const std::vector<const tsu_model *> &models,
+              tsu_shader_desc &desc, std::string &error)
+{
+    tsu_shader_desc_init(&desc);
+    const std::string target = arguments.get("--target");
+    desc.target = tsu_target_find(target.c_str());
+    if (!desc.target) {
+        error = (target.empty() ? "--target is missing"
+                                : "there is no target \"" + target + "\"" +
+                                      suggestion(target, targets)) +
+                "; the targets are " + joined(targets) + ".";
+        return false;
+    }
+    desc.model_count = std::uint32_t(models.size());
+    desc.models = models.data();
+    desc.flags = arguments.has("--harness") ? TSU_SHADER_HARNESS : 0;
+    if (arguments.has("--array")) {
+        double count = 0;
+        const std::string text = arguments.get("--array");
+        if (!parse_number(text, count) || !(count >= 1 && count <= TSU_PAGE_MATERIALS) ||
+            count != double(int(count))) {
+            error = "--array: " + text + " is not a whole number in [1, " +
+                    std::to_string(TSU_PAGE_MATERIALS) + "].";
+            return false;
+        }
+        desc.flags |= TSU_SHADER_ARRAY;
+        desc.array_materials = std::uint32_t(count);
+    }
+    return true;
+}
+
+} // namespace
+
+int command_glsl(int argc, char **argv)
+{
+    Arguments arguments;
+    std::string error;
+    if (!arguments.parse(manual(), argc, argv, error)) {
+        return complain("glsl", error, exit_bad_input);
+    }
+    if (arguments.help()) {
+        return print("glsl", help_text(manual()));
+    }
+    if (arguments.positional().size() != 1) {
+        return complain("glsl",
+                        arguments.positional().empty()
+                            ? "no model is given; the models are " + joined(model_names()) + "."
+                            : "join several models with commas: " +
+                                  arguments.positional()[0] + "," + arguments.positional()[1] + ".",
+                        exit_bad_input);
+    }
+    std::vector<const tsu_model *> models;
+    tsu_shader_desc desc;
+    if (!find_models(arguments.positional()[0], models, error) ||
+        !describe(arguments, models, desc, error)) {
+        return complain("glsl", error, exit_bad_input);
+    }
+    Host host;
+    tsu_shader *shader = nullptr;
+    const tsu_status status = tsu_shader_create(host.context(), &desc, &shader);
+    if (status != TSU_OK) {
+        const bool input = status == TSU_E_PARAMETER || status == TSU_E_LIMIT;
+        return complain("glsl", host.why(status) + ".", input ? exit_bad_input : exit_failure);
+    }
+    std::size_t size = 0;
+    const char *const text = tsu_shader_text(shader, &size);
+    const int code = print("glsl", std::string(text, size));
+    tsu_shader_destroy(shader);
+    return code;
+}
