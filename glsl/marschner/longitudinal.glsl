@@ -9,16 +9,16 @@
 // joins the exponent.
 //   products   (cos_i cos_r, cos_i sin_r, sin_i sin_r, sin_i cos_r)
 //   a, b, c    log2(e) cos(alpha)/v, log2(e) sin(alpha)/v,
-//              log2(C(v)) - log2(e)/v - 0.5 log2(3.13487669)
+//              log2(C(v)) - log2(e)/v - 0.5 log2(3.09446921)
 // The factor is I0e, up to a scale in c, with x in units of log2(e):
-//   I0e(x) = (6.32656374 x - 2.12799018 + 3.13487669 m^3)^(-1/2), m = max(0, 1 - 0.48038018 x).
-// Error: I0e within 0.35 % for every x >= 0 (minimax fit; tests/optics/lobe_test.c). The exponent's
+//   I0e(x) = (6.31671835 x - 2.08647206 + 3.09446921 m^3)^(-1/2), m = max(0, 1 - 0.48791838 x).
+// Error: I0e within 0.40 % for every x >= 0, 0.27 % for x > 6 (weighted minimax fit). The exponent's
 // terms cancel: with 32 bits another 0.02 % at beta = 5 degrees, 0.3 % at 1 degree.
 void tsu_marschner_longitudinal(vec4 products, float a, float b, float c, out float exponent,
                                 out float factor)
 {
     float x = abs(a * products.x + b * products.y);
     exponent = (c - a * products.z + b * products.w) + x;
-    float m = clamp(1.0 - 0.332974 * x, 0.0, 1.0);
-    factor = inversesqrt(1.398861 * x + (m * m * m - 0.678812));
+    float m = clamp(1.0 - 0.338199 * x, 0.0, 1.0);
+    factor = inversesqrt(1.414916 * x + (m * m * m - 0.674258));
 }

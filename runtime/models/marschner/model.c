@@ -96,8 +96,8 @@ static void record(const void *from, const struct tsu_i_place *places, float *ou
         const double c = 1.0 / (v * -expm1(-2.0 / v));
         out[4 * p + 0] = (float)(TSU_I_LOG2E * cos(state->alpha[p]) / v);
         out[4 * p + 1] = (float)(TSU_I_LOG2E * sin(state->alpha[p]) / v);
-        // 3.13487669: scale of I0e's fit, see glsl/marschner/longitudinal.glsl.
-        out[4 * p + 2] = (float)(log2(c) - TSU_I_LOG2E / v - 0.5 * log2(3.13487669));
+        // 3.09446921: scale of I0e's fit, see glsl/marschner/longitudinal.glsl.
+        out[4 * p + 2] = (float)(log2(c) - TSU_I_LOG2E / v - 0.5 * log2(3.09446921));
     }
     out[3] = ((float)places->x + 64.0f) / (float)places->width;
     out[7] = ((float)places->y + 0.5f) / (float)places->height;

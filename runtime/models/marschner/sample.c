@@ -55,8 +55,8 @@ static void longitudinal(const float products[4], const float lobe[3], float *ex
 {
     const float x = fabsf(lobe[0] * products[0] + lobe[1] * products[1]);
     *exponent = (lobe[2] - lobe[0] * products[2] + lobe[1] * products[3]) + x;
-    const float m = clamp01(1.0f - 0.332974f * x);
-    *factor = 1.0f / sqrtf(1.398861f * x + (m * m * m - 0.678812f));
+    const float m = clamp01(1.0f - 0.338199f * x);
+    *factor = 1.0f / sqrtf(1.414916f * x + (m * m * m - 0.674258f));
 }
 
 static void multiply(float sin_i, float sin_r, float *cos_r, float products[4])
