@@ -34,14 +34,23 @@ bool angle(const char *unit)
     return std::strcmp(unit, "rad") == 0;
 }
 
+// Twelve digits, so that a limit stated in degrees reads as it was stated.
+double in_degrees(double radians)
+{
+    double rounded = 0;
+    parse_number(number_text(radians / degree, 12), rounded);
+    return rounded;
+}
+
 // minimum, maximum and default of a parameter or value, with degrees where it is an angle.
 template <class Info> void range_json(Json &json, const Info &info)
 {
     json.field("minimum", info.minimum).field("maximum", info.maximum);
     json.field("default", info.default_value);
     if (angle(info.unit)) {
-        json.field("minimum_deg", info.minimum / degree).field("maximum_deg", info.maximum / degree);
-        json.field("default_deg", info.default_value / degree);
+        json.field("minimum_deg", in_degrees(info.minimum));
+        json.field("maximum_deg", in_degrees(info.maximum));
+        json.field("default_deg", in_degrees(info.default_value));
     }
 }
 
