@@ -73,7 +73,8 @@ int print(const std::string &command, const std::string &text)
 std::string help_text(const Manual &manual)
 {
     std::string text = "usage: tsuya " + manual.name;
-    text += (manual.usage.empty() ? "" : " ") + manual.usage + "\n\n" + manual.text + "\noptions:\n";
+    text +=
+        (manual.usage.empty() ? "" : " ") + manual.usage + "\n\n" + manual.text + "\noptions:\n";
     std::vector<Option> options = manual.options;
     options.push_back({"--help", "", "print this text"});
     for (const Option &option : options) {
@@ -111,8 +112,9 @@ bool Arguments::take(const Manual &manual, const std::string &word, const char *
         return false;
     }
     if (option->value.empty() ? attached : !attached && !next) {
-        error = "option " + name +
-                (option->value.empty() ? " takes no value." : " needs a value, " + option->value + ".");
+        error =
+            "option " + name +
+            (option->value.empty() ? " takes no value." : " needs a value, " + option->value + ".");
         return false;
     }
     used = !option->value.empty() && !attached;

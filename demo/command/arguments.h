@@ -11,19 +11,17 @@
 namespace tsuya::command {
 
 // `name` is "--target" or "-o"; `value` is what the help calls its value, empty for a flag.
-struct Option
-{
+struct Option {
     std::string name;
     std::string value;
     std::string help;
 };
 
 // What `tsuya NAME --help` prints. Every manual has --help without listing it.
-struct Manual
-{
+struct Manual {
     std::string name;
-    std::string usage;   // after "tsuya NAME "
-    std::string text;    // paragraphs, wrapped by hand
+    std::string usage; // after "tsuya NAME "
+    std::string text;  // paragraphs, wrapped by hand
     std::vector<Option> options;
     std::string examples; // one a line
 };

@@ -20,35 +20,41 @@ using namespace tsuya::command;
 
 Manual manual()
 {
-    return {"bake",
-            "MODEL [KEY=VALUE ...] -o FILE [--block FILE]",
-            "Bakes the tables of one material and writes the texture that tsu_tables samples and\n"
-            "the page that tsu_materials holds. The material is number 0 of the page.\n"
+    return {
+        "bake",
+        "MODEL [KEY=VALUE ...] -o FILE [--block FILE]",
+        "Bakes the tables of one material and writes the texture that tsu_tables samples and\n"
+        "the page that tsu_materials holds. The material is number 0 of the page.\n"
+        "\n"
+        "Keys are the model's parameters (tsuya models MODEL). Angles are radians under their\n"
+        "name and degrees with _deg: beta_R=0.13 or beta_R_deg=7.5. Colours are r,g,b or one\n"
+        "number. Absorption can be said in one of four ways:\n"
+        "  sigma_a=r,g,b              per fibre radius, linear Rec. 709\n"
+        "  eumelanin=X pheomelanin=Y  pigments\n"
+        "  color=NAME                 " +
+            joined(preset_names()) +
             "\n"
-            "Keys are the model's parameters (tsuya models MODEL). Angles are radians under their\n"
-            "name and degrees with _deg: beta_R=0.13 or beta_R_deg=7.5. Colours are r,g,b or one\n"
-            "number. Absorption can be said in one of four ways:\n"
-            "  sigma_a=r,g,b              per fibre radius, linear Rec. 709\n"
-            "  eumelanin=X pheomelanin=Y  pigments\n"
-            "  color=NAME                 " + joined(preset_names()) + "\n"
             "  albedo=r,g,b               of one fibre\n"
             "\n"
             "The ending of FILE chooses the format:\n"
             "  .exr  float channels R, G, B, A; first row of the texture first\n"
             "  .csv  x,y,r,g,b,a, one line a texel\n"
             "  .bin  32 bytes of header, then width x height RGBA half floats, first row first.\n"
-            "        Header, little-endian: \"TSUYATEX\", then six 32-bit numbers: version 1, offset\n"
+            "        Header, little-endian: \"TSUYATEX\", then six 32-bit numbers: version 1, "
+            "offset\n"
             "        of the texels 32, width, height, channels 4, bytes of a channel 2\n"
             "A model without tables writes one texel of zeros.\n"
             "The block is 16384 bytes, vec4[1024] of little-endian floats, std140.\n"
             "\n"
-            "Prints sizes, the time of the bake on one core, and the errors of the tables measured\n"
+            "Prints sizes, the time of the bake on one core, and the errors of the tables "
+            "measured\n"
             "for this very material (seconds).\n",
-            {{"-o", "FILE", "texture, .exr, .csv or .bin"},
-             {"--block", "FILE", "page of the uniform block"},
-             {"--no-measure", "", "do not measure the errors"}},
-            "  tsuya bake marschner -o hair.exr\n"
-            "  tsuya bake marschner eta=1.5 beta_az_deg=12 color=blond -o hair.bin --block hair.block\n"};
+        {{"-o", "FILE", "texture, .exr, .csv or .bin"},
+         {"--block", "FILE", "page of the uniform block"},
+         {"--no-measure", "", "do not measure the errors"}},
+        "  tsuya bake marschner -o hair.exr\n"
+        "  tsuya bake marschner eta=1.5 beta_az_deg=12 color=blond -o hair.bin --block "
+        "hair.block\n"};
 }
 
 // A target that is a folder, a device or a pipe would be replaced by the finished file.
@@ -56,7 +62,8 @@ bool target_is_plain(const std::string &path, std::string &error)
 {
     std::error_code code;
     const std::filesystem::file_status status = std::filesystem::status(path, code);
-    if (path.empty() || (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))) {
+    if (path.empty() ||
+        (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))) {
         error = "\"" + path + "\" is not a regular file.";
         return false;
     }
@@ -81,7 +88,8 @@ std::string measure_of(const tsu_model *model, const std::string &name)
     tsu_error_info_init(&info);
     for (std::uint32_t i = 0; tsu_model_error(model, i, &info) == TSU_OK; i++) {
         if (name == info.name) {
-            return std::string(" ") + info.measure + " (stated: " + number_text(info.value, 3) + ")";
+            return std::string(" ") + info.measure + " (stated: " + number_text(info.value, 3) +
+                   ")";
         }
     }
     return "";

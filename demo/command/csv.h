@@ -37,8 +37,7 @@ class Csv
                       int digits) const;
 
   private:
-    struct Line
-    {
+    struct Line {
         std::size_t from, size;
         std::size_t number;
         bool comment;
@@ -48,7 +47,7 @@ class Csv
     std::string_view text(const Line &line) const;
 
     std::string text_;
-    std::vector<Line> lines_; // header included
+    std::vector<Line> lines_;       // header included
     std::vector<std::size_t> rows_; // indices into lines_
     std::vector<std::string> columns_;
 };

@@ -18,28 +18,32 @@ using namespace tsuya::command;
 
 Manual manual()
 {
-    return {"eval",
-            "FUNCTION --on reference|cpu|gpu [--model MODEL] [--variant NAME] [FILE|-]",
-            "Reads CSV from FILE or standard input, evaluates a function of a model on every row,\n"
-            "and writes the same CSV with result columns appended.\n"
-            "\n"
-            "Lines that begin with # pass through. The first other line names the columns, in any\n"
-            "order: the function's inputs, angles in degrees with _deg after the name. Inputs\n"
-            "without a column take their default; other columns are copied unchanged. A row that\n"
-            "cannot be read or is out of range is an error that names line and column: exit code 2\n"
-            "and no output at all. Numbers do not depend on the locale; results have 9 digits for\n"
-            "gpu, 17 otherwise.\n"
-            "\n"
-            "Functions: " + joined(function_names()) + ".\n"
+    return {
+        "eval",
+        "FUNCTION --on reference|cpu|gpu [--model MODEL] [--variant NAME] [FILE|-]",
+        "Reads CSV from FILE or standard input, evaluates a function of a model on every row,\n"
+        "and writes the same CSV with result columns appended.\n"
+        "\n"
+        "Lines that begin with # pass through. The first other line names the columns, in any\n"
+        "order: the function's inputs, angles in degrees with _deg after the name. Inputs\n"
+        "without a column take their default; other columns are copied unchanged. A row that\n"
+        "cannot be read or is out of range is an error that names line and column: exit code 2\n"
+        "and no output at all. Numbers do not depend on the locale; results have 9 digits for\n"
+        "gpu, 17 otherwise.\n"
+        "\n"
+        "Functions: " +
+            joined(function_names()) +
+            ".\n"
             "tsuya models --json lists their inputs, ranges, defaults and outputs.\n",
-            {{"--on", "WHERE", "reference: the model in double precision\n"
-                               "cpu: the baked tables, sampled in C as the shader does\n"
-                               "gpu: the GLSL that tsuya glsl prints, without a window"},
-             {"--model", "MODEL", "default: the first model that has the function"},
-             {"--variant", "NAME", "a variant of the function"}},
-            "  tsuya eval hair --on gpu rows.csv > values.csv\n"
-            "  printf 'theta_i_deg,phi_deg\\n20,180\\n' | tsuya eval hair --on reference\n"
-            "  tsuya eval hair --model kajiya_kay --on cpu - < rows.csv\n"};
+        {{"--on", "WHERE",
+          "reference: the model in double precision\n"
+          "cpu: the baked tables, sampled in C as the shader does\n"
+          "gpu: the GLSL that tsuya glsl prints, without a window"},
+         {"--model", "MODEL", "default: the first model that has the function"},
+         {"--variant", "NAME", "a variant of the function"}},
+        "  tsuya eval hair --on gpu rows.csv > values.csv\n"
+        "  printf 'theta_i_deg,phi_deg\\n20,180\\n' | tsuya eval hair --on reference\n"
+        "  tsuya eval hair --model kajiya_kay --on cpu - < rows.csv\n"};
 }
 
 bool read_all(const std::string &path, std::string &text, std::string &error)
@@ -67,11 +71,12 @@ bool read_all(const std::string &path, std::string &text, std::string &error)
 void warn_of_units(const Csv &csv, const Function &function)
 {
     for (const Value &value : function.inputs) {
-        const std::string other =
-            value.column == value.name ? value.name + "_deg" : value.name;
+        const std::string other = value.column == value.name ? value.name + "_deg" : value.name;
         if (csv.column(other) >= 0 && csv.column(value.column) < 0) {
-            complain("eval", "warning: column " + other + " is only copied; the input is " +
-                                 value.column + ".", exit_ok);
+            complain("eval",
+                     "warning: column " + other + " is only copied; the input is " + value.column +
+                         ".",
+                     exit_ok);
         }
     }
 }
@@ -134,8 +139,9 @@ int eval(const Arguments &arguments, Question &question)
     for (const Value &value : question.function.outputs) {
         names.push_back(value.column);
         if (csv.column(value.column) >= 0) {
-            return complain("eval", "column " + value.column +
-                                        " of the input has the name of a result; rename it.",
+            return complain("eval",
+                            "column " + value.column +
+                                " of the input has the name of a result; rename it.",
                             exit_bad_input);
         }
     }
@@ -175,9 +181,9 @@ int command_eval(int argc, char **argv)
     const std::vector<std::string> places = {"reference", "cpu", "gpu"};
     const std::string on = arguments.get("--on");
     if (words.empty() || words.size() > 2) {
-        error = words.empty() ? "no function is given; the functions are " +
-                                    joined(function_names()) + "."
-                              : "\"" + words[2] + "\" is one argument too many.";
+        error = words.empty()
+                    ? "no function is given; the functions are " + joined(function_names()) + "."
+                    : "\"" + words[2] + "\" is one argument too many.";
         return complain("eval", error, exit_bad_input);
     }
     if (std::find(places.begin(), places.end(), on) == places.end()) {

@@ -93,8 +93,7 @@ class Batch
     }
 
   private:
-    struct Material
-    {
+    struct Material {
         std::uint32_t index;
         const Rows *rows;
     };

@@ -11,16 +11,14 @@
 namespace tsuya::command {
 
 // Rows of inputs in units of the API, inside their ranges: in[row * inputs + input].
-struct Question
-{
+struct Question {
     Function function;
     std::size_t rows = 0;
     std::vector<double> in;
 };
 
 // Why there are no results. `row` is the row to blame, or no_row.
-struct Failure
-{
+struct Failure {
     static constexpr std::size_t no_row = std::size_t(-1);
     std::size_t row = no_row;
     std::string text;

@@ -17,8 +17,7 @@ const tsu_model *find_model(const std::string &name, std::string &error);
 
 // One input or output. Angles are columns in degrees with "_deg" after the name; everything else
 // keeps the name and unit of the API.
-struct Value
-{
+struct Value {
     std::string name;   // of the API, "theta_i"
     std::string column; // "theta_i_deg"
     double scale = 1;   // API value of 1 in the column: pi/180 or 1
@@ -26,8 +25,7 @@ struct Value
     double minimum = 0, maximum = 0, default_value = 0; // in units of the API
 };
 
-struct Function
-{
+struct Function {
     const tsu_model *model = nullptr;
     std::uint32_t index = 0;
     std::string name;
@@ -37,9 +35,9 @@ struct Function
 // Every function of every model, by name, each once.
 std::vector<std::string> function_names();
 
-// Function `name` of `model`, or, when `model` is empty, of the first model that has it. A variant V
-// of a function F is the function F-V.
-// Errors: no such model, function or variant; the text lists what there is.
+// Function `name` of `model`, or, when `model` is empty, of the first model that has it. A variant
+// V of a function F is the function F-V. Errors: no such model, function or variant; the text lists
+// what there is.
 bool find_function(const std::string &name, const std::string &model, const std::string &variant,
                    Function &out, std::string &error);
 

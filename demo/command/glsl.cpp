@@ -19,22 +19,26 @@ const std::vector<std::string> targets = {"330", "410", "450", "300es", "310es",
 
 Manual manual()
 {
-    return {"glsl",
-            "MODEL[,MODEL...] --target TARGET [--harness] [--array N]",
-            "Prints the GLSL of one or more models: functions, structs and macros that begin with\n"
-            "tsu_ or TSU_, one sampler tsu_tables and one block tsu_materials for all of them.\n"
-            "Without --harness the text has no #version, no main, no in and no out: paste it after\n"
-            "your own header. For each model M it defines\n"
-            "  tsu_M_lobes tsu_M_eval(int material, vec3 t, vec3 l, vec3 v, vec3 sigma_a, ...);\n"
-            "  vec3 tsu_M_sum(tsu_M_lobes lobes);\n"
-            "Models: " + joined(model_names()) + ".\n",
-            {{"--target", "TARGET", "language: " + joined(targets)},
-             {"--harness", "", "one complete fragment shader: varyings t, l, v, sigma_a, flat material\n"
-                               "and the models' extra inputs; o = vec4(sum of all lobes, 1)"},
-             {"--array", "N", "records as `uniform vec4 tsu_records[]` for N materials, 1 to 127,\n"
-                              "in place of the block"}},
-            "  tsuya glsl marschner --target 330\n"
-            "  tsuya glsl kajiya_kay,marschner --target vulkan --harness > both.frag\n"};
+    return {
+        "glsl",
+        "MODEL[,MODEL...] --target TARGET [--harness] [--array N]",
+        "Prints the GLSL of one or more models: functions, structs and macros that begin with\n"
+        "tsu_ or TSU_, one sampler tsu_tables and one block tsu_materials for all of them.\n"
+        "Without --harness the text has no #version, no main, no in and no out: paste it after\n"
+        "your own header. For each model M it defines\n"
+        "  tsu_M_lobes tsu_M_eval(int material, vec3 t, vec3 l, vec3 v, vec3 sigma_a, ...);\n"
+        "  vec3 tsu_M_sum(tsu_M_lobes lobes);\n"
+        "Models: " +
+            joined(model_names()) + ".\n",
+        {{"--target", "TARGET", "language: " + joined(targets)},
+         {"--harness", "",
+          "one complete fragment shader: varyings t, l, v, sigma_a, flat material\n"
+          "and the models' extra inputs; o = vec4(sum of all lobes, 1)"},
+         {"--array", "N",
+          "records as `uniform vec4 tsu_records[]` for N materials, 1 to 127,\n"
+          "in place of the block"}},
+        "  tsuya glsl marschner --target 330\n"
+        "  tsuya glsl kajiya_kay,marschner --target vulkan --harness > both.frag\n"};
 }
 
 bool find_models(const std::string &list, std::vector<const tsu_model *> &models,
@@ -59,9 +63,9 @@ bool describe(const Arguments &arguments, const std::vector<const tsu_model *> &
     const std::string target = arguments.get("--target");
     desc.target = tsu_target_find(target.c_str());
     if (!desc.target) {
-        error = (target.empty() ? "--target is missing"
-                                : "there is no target \"" + target + "\"" +
-                                      suggestion(target, targets)) +
+        error = (target.empty()
+                     ? "--target is missing"
+                     : "there is no target \"" + target + "\"" + suggestion(target, targets)) +
                 "; the targets are " + joined(targets) + ".";
         return false;
     }
@@ -99,8 +103,8 @@ int command_glsl(int argc, char **argv)
         return complain("glsl",
                         arguments.positional().empty()
                             ? "no model is given; the models are " + joined(model_names()) + "."
-                            : "join several models with commas: " +
-                                  arguments.positional()[0] + "," + arguments.positional()[1] + ".",
+                            : "join several models with commas: " + arguments.positional()[0] +
+                                  "," + arguments.positional()[1] + ".",
                         exit_bad_input);
     }
     std::vector<const tsu_model *> models;

@@ -13,8 +13,7 @@ namespace {
 
 using namespace tsuya::command;
 
-struct Command
-{
+struct Command {
     const char *name;
     int (*run)(int argc, char **argv);
     const char *summary;

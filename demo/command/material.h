@@ -24,8 +24,8 @@ class Material
     // Errors: the model's init failed.
     Material(Host &host, const tsu_model *model);
 
-    // Takes one word. Errors: no "=", unknown key (with the nearest), not a number, wrong count, out
-    // of range (with the range in the unit of the key), said twice.
+    // Takes one word. Errors: no "=", unknown key (with the nearest), not a number, wrong count,
+    // out of range (with the range in the unit of the key), said twice.
     bool set(const std::string &word, std::string &error);
 
     // Turns pigments, preset or albedo into sigma_a and lets the library check the whole.

@@ -22,8 +22,9 @@ Manual manual()
             "Lists the models, or one of them: parameters with unit, range and default, tables,\n"
             "measured errors, inputs of the GLSL entry point and functions for tsuya eval.\n"
             "Angles are radians in the API; the list gives degrees too.\n",
-            {{"--json", "", "print {\"models\": [...]} for programs; angles in radians under the\n"
-                            "names of the API and in degrees under ..._deg"}},
+            {{"--json", "",
+              "print {\"models\": [...]} for programs; angles in radians under the\n"
+              "names of the API and in degrees under ..._deg"}},
             "  tsuya models\n"
             "  tsuya models marschner\n"
             "  tsuya models --json | python3 -m json.tool\n"};
@@ -167,7 +168,8 @@ std::string cell(std::string text, std::size_t width)
 template <class Info> std::string range_text(const Info &info)
 {
     const double scale = angle(info.unit) ? degree : 1.0;
-    return cell(number_text(info.minimum / scale, 6) + " .. " + number_text(info.maximum / scale, 6),
+    return cell(number_text(info.minimum / scale, 6) + " .. " +
+                    number_text(info.maximum / scale, 6),
                 16) +
            cell("default " + number_text(info.default_value / scale, 6), 16) +
            cell(angle(info.unit) ? "deg" : info.unit, 10);

@@ -33,8 +33,9 @@ bool parse_number(std::string_view text, double &value)
         // number that starts with 0.
         const std::size_t exponent = text.find_first_of("eE");
         const bool negative = text[0] == '-';
-        const bool small = exponent != std::string_view::npos ? text[exponent + 1] == '-'
-                                                              : text[negative] == '0' || text[negative] == '.';
+        const bool small = exponent != std::string_view::npos
+                               ? text[exponent + 1] == '-'
+                               : text[negative] == '0' || text[negative] == '.';
         value = small ? 0.0 : std::numeric_limits<double>::infinity();
         value = negative ? -value : value;
     }
@@ -48,8 +49,8 @@ void append_number(std::string &text, double value, int digits)
         return;
     }
     char buffer[64];
-    const std::to_chars_result result = std::to_chars(buffer, buffer + sizeof buffer, value,
-                                                      std::chars_format::general, digits);
+    const std::to_chars_result result =
+        std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits);
     text.append(buffer, result.ptr);
 }
 

@@ -22,15 +22,14 @@ class Probe
 {
   public:
     // Where a row lies in the table of all rows, and its material's index in the page.
-    struct Row
-    {
+    struct Row {
         std::size_t row;
         std::uint32_t material;
     };
 
     // Opens an offscreen context (EGL, then OSMesa; OpenGL 4.5, 4.1, then 3.3), compiles the text
-    // of tsu_shader_create() for its version and keeps both. NULL with an error when the machine has
-    // no such OpenGL.
+    // of tsu_shader_create() for its version and keeps both. NULL with an error when the machine
+    // has no such OpenGL.
     static std::unique_ptr<Probe> create(Host &host, const Function &function, std::string &error);
     ~Probe();
     Probe(const Probe &) = delete;

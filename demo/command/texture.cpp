@@ -32,8 +32,9 @@ bool Texture::format_of(const std::string &path, Format &format, std::string &er
     } else if (ending == ".bin") {
         format = Format::bin;
     } else {
-        error = path.empty() ? "-o FILE is missing; its ending, .exr, .csv or .bin, says the format."
-                             : "\"" + path + "\" ends in none of .exr, .csv, .bin.";
+        error = path.empty()
+                    ? "-o FILE is missing; its ending, .exr, .csv or .bin, says the format."
+                    : "\"" + path + "\" ends in none of .exr, .csv, .bin.";
         return false;
     }
     return true;
