@@ -1,0 +1,69 @@
+// How much hair lies between a point and a light: a cheap self-shadow that fits every model.
+//
+// Hair is spread over the cells of a grid as optical density, fibres per metre of a straight way:
+// a fibre of length s and diameter w in a volume V is met w s (pi/4) / V times per metre, pi/4 being
+// the mean sine between a fibre and the way. A sweep from the light through the grid adds it up.
+#ifndef TSUYA_DRAW_GRID_H
+#define TSUYA_DRAW_GRID_H
+
+#include "groom/groom.h"
+
+#include <glm/vec3.hpp>
+
+#include <vector>
+
+namespace tsuya::draw {
+
+// A solid ellipsoid inside the hair, opaque to light. No axis may be 0; all 0: there is none.
+struct Solid {
+    glm::vec3 centre{0.0f};
+    glm::vec3 semi_axes{0.0f};
+};
+
+class Grid
+{
+  public:
+    // Spread a groom over cubes, `resolution` of them along its longest side, and a border.
+    //   width_scale  factor on every fibre's width, > 0
+    void fill(const groom::Groom &groom, const Solid &solid, float width_scale,
+              int resolution = 64);
+
+    // Fibres between each cell's centre and the light, x fastest, then y.
+    //   direction  towards the light, unit, space of the groom
+    std::vector<float> sweep(const glm::vec3 &direction) const;
+
+    glm::ivec3 size() const
+    {
+        return size_;
+    }
+    glm::vec3 corner() const
+    {
+        return corner_;
+    }
+    float cell() const
+    {
+        return cell_;
+    }
+    // Fibres per metre of each cell, as sweep() orders them.
+    const std::vector<float> &density() const
+    {
+        return density_;
+    }
+
+  private:
+    std::size_t index(int x, int y, int z) const
+    {
+        return (std::size_t(z) * std::size_t(size_.y) + std::size_t(y)) * std::size_t(size_.x) +
+               std::size_t(x);
+    }
+    void splat(const glm::vec3 &place, float amount);
+
+    glm::ivec3 size_{0};
+    glm::vec3 corner_{0.0f};
+    float cell_ = 1.0f;
+    std::vector<float> density_;
+};
+
+} // namespace tsuya::draw
+
+#endif

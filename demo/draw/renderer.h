@@ -1,0 +1,119 @@
+// Draws a head of hair: the one path that `tsuya render` and the window share.
+//
+// Order of a frame: the head with depth, then all strand segments from far to near, blended over,
+// into `supersample` times the picture's size, then the mean over each pixel's samples. Sorting
+// whole segments by their middle is exact where segments do not cross; no layer is lost or counted
+// twice, so energy does not depend on the number of strands. What remains is that fibres inside one
+// pixel are taken as crossing it independently, which understates gaps between aligned ones; the
+// size of that error is the difference to supersample = 4, which tests/demo/draw_test prints.
+#ifndef TSUYA_DRAW_RENDERER_H
+#define TSUYA_DRAW_RENDERER_H
+
+#include "draw/grid.h"
+#include "draw/lights.h"
+#include "draw/shading.h"
+#include "draw/strands.h"
+#include "draw/target.h"
+#include "groom/generate.h"
+
+#include <glm/mat4x4.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tsuya::draw {
+
+// What to draw besides the material. Lengths in metres, colours linear Rec. 709.
+struct Frame {
+    int width = 640, height = 640; // pixels
+    int supersample = 1;           // samples along a pixel's side, [1, 8]
+    glm::mat4 model{1.0f};         // groom to world: rotation, translation, uniform scale
+    glm::mat4 view{1.0f};          // world to eye
+    glm::mat4 projection{1.0f};
+    glm::vec3 eye{0.0f};       // in the world
+    float near = 0.01f;        // segments nearer than that are left out
+    std::vector<Light> lights; // at most lights_most
+    glm::vec3 background{0.0f};
+    glm::vec3 skin{0.5f, 0.36f, 0.29f}; // albedo of the head
+    bool head = true;
+    bool shadow = true;       // dim each light by the hair in its way
+    glm::vec3 loss{1.0f};     // share of light that one fibre takes out of the way, [0, 1]
+    glm::vec3 sigma_a{0.0f};  // absorption per fibre radius
+    float variation = 0.0f;   // deviation of ln(sigma_a) from strand to strand
+    float width_scale = 1.0f; // of every fibre
+    float taper = 0.1f;       // share of a strand's length over which its tip narrows, [0, 1]
+};
+
+// Linear light: red, green, blue, and the share of the pixel that hair covers. Top row first.
+struct Picture {
+    int width = 0, height = 0;
+    std::vector<float> pixels;
+};
+
+class Renderer
+{
+  public:
+    // The context of `proc` is current now and in every later call.
+    // Errors: no float targets, a shader that does not compile, a context too old.
+    static Expected<std::unique_ptr<Renderer>> create(tsu_gl_proc_fn proc, void *user,
+                                                      const Folders &folders = {});
+    ~Renderer();
+
+    // Take a groom; `head` may have no triangles.
+    // Errors: more points than the context's textures hold.
+    Expected<bool> load(const groom::Groom &groom, const groom::Mesh &head, const Solid &solid);
+
+    // Choose model and parameters; see Shading::set().
+    Expected<bool> material(const tsu_model *model, const void *params);
+    // Read GLSL again; see Shading::reload().
+    Expected<bool> reload();
+
+    // Draw into a picture of this renderer.
+    // Errors: a size that the context cannot draw, too many lights.
+    // GL:     leaves bindings and state undefined, like every call here.
+    Expected<bool> draw(const Frame &frame);
+
+    // The picture of the last draw().
+    Picture picture() const;
+    // The same for a screen: exposure (a factor), film curve or a plain cut at 1, linear in [0, 1]
+    // without alpha; the sRGB curve is left to the file's writer.
+    Picture shown(float exposure, bool filmic);
+    // The same again onto the framebuffer that is bound, with the sRGB curve, lower left corner.
+    void show(float exposure, bool filmic);
+
+    // Strands that touch the picture's pixels and are not behind the head. Hair does not count as
+    // hiding hair, being translucent: strands found in an identity pass are taken away and the rest
+    // is drawn again until no more appear.
+    std::size_t reached(const Frame &frame);
+
+    const Shading &shading() const
+    {
+        return *shading_;
+    }
+
+  private:
+    Renderer() = default;
+    Expected<bool> build();
+    void shadows(const Frame &frame);
+    void lights(const Program &program, const Frame &frame) const;
+    void strands(const Program &program, const Frame &frame, int width, int height) const;
+    void head(const Frame &frame);
+
+    gl_api gl_{};
+    std::unique_ptr<Shading> shading_;
+    std::unique_ptr<Strands> strands_;
+    std::unique_ptr<Target> samples_, resolved_, shown_;
+    Program head_program_, resolve_, display_, identity_;
+    groom::Groom groom_;
+    Solid solid_;
+    Grid grid_;
+    float grid_scale_ = 0.0f;     // width scale that the grid was filled with; 0: not filled
+    std::vector<glm::vec3> swept_; // light directions in the groom's space of the shadow texture
+    GLuint fibres_ = 0, head_array_ = 0, head_vertices_ = 0, head_elements_ = 0, empty_ = 0;
+    GLsizei head_count_ = 0;
+};
+
+} // namespace tsuya::draw
+
+#endif

@@ -1,0 +1,133 @@
+#include "scene/build.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tsuya::scene {
+
+namespace {
+
+constexpr double degree = 0.01745329251994329577;
+
+glm::dvec3 toward(double azimuth, double elevation)
+{
+    const double a = azimuth * degree, e = elevation * degree;
+    return {std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e)};
+}
+
+struct RigLight {
+    const char *rig;
+    double azimuth, elevation, irradiance;
+};
+
+const RigLight rigs[] = {
+    {"key", 40.0, 35.0, 3.0},  {"key", 200.0, 25.0, 3.0},  {"front", 10.0, 20.0, 3.0},
+    {"side", 85.0, 15.0, 3.0}, {"back", 165.0, 25.0, 4.0},
+};
+
+struct Box {
+    glm::dvec3 lower, upper;
+};
+
+Box bounds(const Hair &hair, bool head)
+{
+    Box box = {glm::dvec3(hair.groom.points.front()), glm::dvec3(hair.groom.points.front())};
+    const auto add = [&](const std::vector<glm::vec3> &points) {
+        for (const glm::vec3 &p : points) {
+            box.lower = glm::min(box.lower, glm::dvec3(p));
+            box.upper = glm::max(box.upper, glm::dvec3(p));
+        }
+    };
+    add(hair.groom.points);
+    if (head) {
+        add(hair.head.positions);
+    }
+    return box;
+}
+
+// Distance from `target` along `back` at which every point is inside the picture.
+double distance(const Hair &hair, bool head, const glm::dvec3 &target, const glm::dmat4 &model,
+                const glm::dvec3 &back, double tan_x, double tan_y)
+{
+    const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0.0, 1.0, 0.0), back));
+    const glm::dvec3 up = glm::cross(back, right);
+    double far = 0.0;
+    const auto add = [&](const std::vector<glm::vec3> &points) {
+        for (const glm::vec3 &point : points) {
+            const glm::dvec3 p = glm::dvec3(model * glm::dvec4(point, 1.0)) - target;
+            const double side = std::max(std::abs(glm::dot(p, right)) / tan_x,
+                                         std::abs(glm::dot(p, up)) / tan_y);
+            far = std::max(far, side + glm::dot(p, back));
+        }
+    };
+    add(hair.groom.points);
+    if (head) {
+        add(hair.head.positions);
+    }
+    return far;
+}
+
+} // namespace
+
+std::vector<draw::Light> lights(const Scene &scene)
+{
+    std::vector<draw::Light> result;
+    for (const RigLight &light : rigs) {
+        if (scene.light == light.rig) {
+            result.push_back({glm::vec3(toward(light.azimuth, light.elevation)),
+                              glm::vec3(float(light.irradiance))});
+        }
+    }
+    for (const auto &[index, light] : scene.lights) {
+        result.push_back({glm::vec3(glm::normalize(light.direction)),
+                          glm::vec3(light.color * light.intensity)});
+    }
+    if (scene.dome > 0.0) {
+        for (const draw::Light &light :
+             draw::sky(glm::vec3(scene.dome_color * scene.dome), scene.dome_lights)) {
+            result.push_back(light);
+        }
+    }
+    return result;
+}
+
+void aim(const Scene &scene, const Hair &hair, bool turntable, draw::Frame &frame)
+{
+    const bool head = scene.head == "auto";
+    const Box box = bounds(hair, head);
+    const glm::dvec3 middle = 0.5 * (box.lower + box.upper);
+    const glm::dvec3 target = scene.camera_aims ? scene.camera_target : middle;
+    const double aspect = double(scene.width) / double(scene.height);
+    const double tan_y = std::tan(0.5 * scene.camera_fov * degree), tan_x = tan_y * aspect;
+    const glm::dvec3 back = toward(scene.camera_azimuth, scene.camera_elevation);
+
+    const auto turned = [&](double degrees) {
+        return glm::translate(glm::dmat4(1.0), middle) *
+               glm::rotate(glm::dmat4(1.0), degrees * degree, glm::dvec3(0.0, 1.0, 0.0)) *
+               glm::translate(glm::dmat4(1.0), -middle);
+    };
+    double far = scene.camera_distance;
+    if (far <= 0.0) {
+        constexpr double margin = 1.04;
+        for (int i = 0; i < (turntable ? 12 : 1); i++) {
+            far = std::max(far, margin * distance(hair, head, target,
+                                                  turned(scene.turn + 30.0 * i), back, tan_x,
+                                                  tan_y));
+        }
+    }
+    far = std::max(far / scene.camera_zoom, 1e-6);
+    const glm::dvec3 eye = target + far * back;
+    const double size = glm::length(box.upper - box.lower) + glm::distance(target, middle);
+    const double near = std::max(far - size, 0.01 * far);
+    frame.model = glm::mat4(turned(scene.turn));
+    frame.view = glm::mat4(glm::lookAt(eye, target, glm::dvec3(0.0, 1.0, 0.0)));
+    frame.projection = glm::mat4(
+        glm::perspective(scene.camera_fov * degree, aspect, near, far + 2.0 * size));
+    frame.eye = glm::vec3(eye);
+    frame.near = float(near);
+}
+
+} // namespace tsuya::scene

@@ -1,0 +1,59 @@
+// A scene turned into what the renderer takes: hair, material, lights, camera.
+#ifndef TSUYA_SCENE_BUILD_H
+#define TSUYA_SCENE_BUILD_H
+
+#include "draw/renderer.h"
+#include "groom/generate.h"
+#include "scene/scene.h"
+
+#include <tsuya/model.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace tsuya::scene {
+
+// Hair of a scene and, where it was grown, the head under it.
+struct Hair {
+    groom::Groom groom;
+    groom::Report report;
+    groom::Mesh head; // no triangles for a file
+    draw::Solid solid;
+};
+
+// Read or grow the groom. Errors: those of groom::read() and groom::generate().
+Expected<Hair> hair(const Scene &scene);
+
+// Model and typed parameters of a scene.
+struct Material {
+    const tsu_model *model = nullptr;
+    std::vector<std::max_align_t> params; // the model's struct
+    glm::dvec3 sigma_a{0.0};              // of the scene's colour, per fibre radius
+    glm::dvec3 albedo{1.0};               // of one fibre of that colour
+};
+
+// Errors: a parameter out of the model's range; an albedo that no pigment gives.
+Expected<Material> material(const Scene &scene);
+
+// Lights of a scene: those of its rig, its own, and those of the sky; directions and irradiance.
+//
+// Rigs, by direction (azimuth, elevation from the front) and irradiance for the default dome of 0.5:
+//   key    (40, 35) 3.0 and a rim (200, 25) 3.0     front  (10, 20) 3.0
+//   side   (85, 15) 3.0                             back   (165, 25) 4.0
+// A single light shows two models differently even when they scatter the same energy in all, since
+// each sends it another way: Marschner's fibre sends most of it on, away from the light. Rim and dome
+// of the default make up for what the key loses, which is why the mean of a picture stays.
+std::vector<draw::Light> lights(const Scene &scene);
+
+// Everything but the material's parameters. `frames` of a turntable share one camera distance.
+//
+//   turn  degrees added to the scene's turn_deg
+draw::Frame frame(const Scene &scene, const Hair &hair, const Material &material,
+                  double turn = 0.0, bool turntable = false);
+
+// Camera of a frame alone, for a window that moves it.
+void aim(const Scene &scene, const Hair &hair, bool turntable, draw::Frame &frame);
+
+} // namespace tsuya::scene
+
+#endif

@@ -1,0 +1,208 @@
+// `tsuya render`: a scene or a groom to PNG or EXR.
+
+#include "command/arguments.h"
+#include "command/commands.h"
+#include "scene/gallery.h"
+#include "scene/keys.h"
+#include "scene/picture.h"
+
+#include <chrono>
+#include <cstdio>
+#include <string>
+#include <unistd.h>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace tsuya;
+
+const command::Manual &manual()
+{
+    static const command::Manual text = {
+        "render",
+        "SCENE|FILE [key=value ...] -o FILE.png|.exr",
+        "Draw a scene of the gallery (tsuya scenes), a scene file, or a groom (.tfx, .hair,\n"
+        ".data) in a default scene with a fitted camera. key=value words change the scene;\n"
+        "tsuya scenes --help lists the keys. PNG holds what a screen shows, EXR linear light\n"
+        "and a channel `hair`, the share of each pixel that hair covers.\n\n"
+        "Printed: strands, points, strands that reached the picture (touch a pixel and are not\n"
+        "behind the head), Rec. 709 luminance of the linear picture, times.",
+        {{"-o", "FILE", "picture to write: .png or .exr"},
+         {"--size", "WxH", "short for size=WxH"},
+         {"--frames", "N", "a turntable of N pictures, numbered before the ending, [1, 9999]"}},
+        "  tsuya render straight-brown -o brown.png\n"
+        "  tsuya render curly-black model=kajiya_kay --size 1024x1024 -o black.exr\n"
+        "  tsuya render mohawk.tfx color=red supersample=4 -o mohawk.png\n"};
+    return text;
+}
+
+int complain(const std::string &text, int code = command::exit_bad_input)
+{
+    const bool dot = !text.empty() && (text.back() == '.' || text.back() == '\n');
+    return command::complain("render", text + (dot ? "" : "."), code);
+}
+
+// A line that overwrites itself on a terminal; nothing elsewhere.
+void progress(const std::string &text)
+{
+    if (isatty(STDERR_FILENO)) {
+        std::fprintf(stderr, "\r\033[K%s", text.c_str());
+        std::fflush(stderr);
+    }
+}
+
+std::string numbered(const std::string &path, int number)
+{
+    char digits[16];
+    std::snprintf(digits, sizeof digits, "_%04d", number);
+    return path.substr(0, path.size() - 4) + digits + path.substr(path.size() - 4);
+}
+
+class Clock
+{
+  public:
+    double seconds() const
+    {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+  private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+groom::Expected<scene::Scene> asked(const command::Arguments &arguments, std::string &said)
+{
+    const std::vector<std::string> &words = arguments.positional();
+    groom::Expected<scene::Scene> found = scene::find(words[0]);
+    std::vector<std::string> changes(words.begin() + 1, words.end());
+    if (arguments.has("--size")) {
+        changes.push_back("size=" + arguments.get("--size"));
+    }
+    if (found) {
+        found = scene::override(*found, changes);
+    }
+    if (found && scene::is_groom(words[0])) {
+        const groom::Expected<std::string> suited = scene::suit(*found, changes);
+        if (!suited) {
+            return groom::Error{suited.error()};
+        }
+        said = *suited;
+    }
+    return found;
+}
+
+std::string report(const scene::Hair &hair, std::size_t reached, const scene::Numbers &numbers)
+{
+    char text[512];
+    std::snprintf(text, sizeof text,
+                  "strands          %zu\n"
+                  "points           %zu\n"
+                  "strands reached  %zu (%.2f %%)\n"
+                  "mean luminance   %.6g\n"
+                  "hair luminance   %.6g, weighed by coverage\n"
+                  "hair coverage    %.4g\n",
+                  hair.report.strands, hair.report.points, reached,
+                  100.0 * double(reached) / double(hair.report.strands), numbers.mean,
+                  numbers.hair, numbers.coverage);
+    return text;
+}
+
+int render(const scene::Scene &scene, const std::string &path, int frames, std::string said)
+{
+    const Clock total;
+    const groom::Expected<scene::Material> material = scene::material(scene);
+    if (!material) {
+        return complain(material.error());
+    }
+    progress("reading or growing hair");
+    const groom::Expected<scene::Hair> hair = scene::hair(scene);
+    if (!hair) {
+        progress("");
+        return complain(hair.error());
+    }
+    const double hair_time = total.seconds();
+    groom::Expected<std::unique_ptr<scene::Studio>> studio = scene::Studio::create();
+    if (!studio) {
+        progress("");
+        return complain(studio.error(), command::exit_failure);
+    }
+    draw::Renderer &renderer = (*studio)->renderer();
+    const groom::Expected<bool> taken = (*studio)->take(*hair, *material);
+    if (!taken) {
+        progress("");
+        return complain(taken.error());
+    }
+
+    std::size_t reached = 0;
+    scene::Numbers numbers;
+    double draw_time = 0.0;
+    for (int i = 0; i < frames; i++) {
+        progress("drawing " + std::to_string(i + 1) + " of " + std::to_string(frames));
+        const double turn = 360.0 * double(i) / double(frames);
+        const draw::Frame frame = scene::frame(scene, *hair, *material, turn, frames > 1);
+        const Clock one;
+        const groom::Expected<bool> drawn = renderer.draw(frame);
+        if (!drawn) {
+            progress("");
+            return complain(drawn.error());
+        }
+        const draw::Picture picture = renderer.picture();
+        draw_time += one.seconds();
+        if (i == 0) {
+            numbers = scene::numbers(picture);
+        }
+        const groom::Expected<bool> saved =
+            scene::save(frames > 1 ? numbered(path, i + 1) : path, scene, renderer);
+        if (!saved) {
+            progress("");
+            return complain(saved.error(), command::exit_failure);
+        }
+        if (i == 0) {
+            reached = renderer.reached(frame);
+        }
+    }
+    progress("");
+    char times[128];
+    std::snprintf(times, sizeof times,
+                  "time             %.2f s: hair %.2f, drawing %.2f, %d frame%s\n",
+                  total.seconds(), hair_time, draw_time, frames, frames == 1 ? "" : "s");
+    said += "model            " + scene.model + "\n" + report(*hair, reached, numbers) + times +
+            "drawn with       " + (*studio)->description() + "\n";
+    return command::print("render", said);
+}
+
+} // namespace
+
+int command_render(int argc, char **argv)
+{
+    command::Arguments arguments;
+    std::string error;
+    if (!arguments.parse(manual(), argc, argv, error)) {
+        return complain(error);
+    }
+    if (arguments.help()) {
+        return command::print("render", command::help_text(manual()));
+    }
+    if (arguments.positional().empty()) {
+        return complain("no scene is given; tsuya scenes lists them");
+    }
+    const std::string path = arguments.get("-o");
+    if (!scene::savable(path)) {
+        return complain(path.empty() ? "-o FILE.png or -o FILE.exr is missing"
+                                     : "-o " + path + " must end in .png or .exr");
+    }
+    double frames = 1.0;
+    if (arguments.has("--frames")) {
+        const std::string wrong = scene::read_number(arguments.get("--frames"), 1.0, 9999.0,
+                                                     frames);
+        if (!wrong.empty() || frames != double(int(frames))) {
+            return complain("--frames " + (wrong.empty() ? "is " + scene::number_text(frames)
+                                                         : wrong) +
+                            " but must be whole, in [1, 9999]");
+        }
+    }
+    std::string said;
+    const groom::Expected<scene::Scene> scene = asked(arguments, said);
+    return scene ? render(*scene, path, int(frames), said) : complain(scene.error());
+}
