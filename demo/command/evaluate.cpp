@@ -48,8 +48,7 @@ std::vector<Rows> group(const Question &question)
 class Batch
 {
   public:
-    Batch(Host &host, const Question &question, Where where)
-        : host_(host), set_(host), question_(question), where_(where)
+    Batch(Host &host, const Question &question) : host_(host), set_(host), question_(question)
     {
         tsu_model_info info;
         tsu_model_info_init(&info);
@@ -58,11 +57,10 @@ class Batch
         params_size_ = info.params_size;
     }
 
-    // Adds groups from `first` on until one does not fit; returns the first that is left.
+    // Adds groups from `first` on until one does not fit; moves `first` behind the last added.
     bool fill(const std::vector<Rows> &groups, std::size_t &first, Failure &failure)
     {
         const std::size_t from = first;
-        materials_.clear();
         for (; first < groups.size() && first - from < batch_materials; first++) {
             const tsu_status status = add(groups[first]);
             if (status == TSU_E_LIMIT && first > from) {
@@ -80,16 +78,49 @@ class Batch
         return status == TSU_OK;
     }
 
-    bool answer(std::vector<double> &out, Failure &failure)
+    bool ask_tables(std::vector<double> &out, Failure &failure)
     {
-        return where_ == Where::gpu ? ask_gpu(out, failure) : ask_tables(out, failure);
+        const Function &function = question_.function;
+        for (const Material &material : materials_) {
+            for (const std::size_t row : *material.rows) {
+                const tsu_status status =
+                    tsu_set_evaluate(set_.get(), material.index, function.index,
+                                     &question_.in[row * function.inputs.size()],
+                                     &out[row * function.outputs.size()]);
+                if (status != TSU_OK) {
+                    failure = {row, host_.why(status)};
+                    return false;
+                }
+            }
+        }
+        return true;
     }
 
-    void clear()
+    // `probe` is made when it is NULL, and serves every batch.
+    bool ask_gpu(std::unique_ptr<Probe> &probe, std::vector<double> &out, Failure &failure)
     {
-        for (const Material &material : materials_) {
-            tsu_set_remove(set_.get(), material.index);
+        if (!probe) {
+            probe = Probe::create(host_, question_.function, failure.text);
         }
+        if (!probe || !probe->sync(set_.get(), failure.text)) {
+            return false;
+        }
+        std::sort(materials_.begin(), materials_.end(),
+                  [](const Material &a, const Material &b) { return a.index < b.index; });
+        for (std::size_t from = 0; from < materials_.size();) {
+            const std::uint32_t page = materials_[from].index / TSU_PAGE_MATERIALS;
+            std::vector<Probe::Row> rows;
+            for (; from < materials_.size() && materials_[from].index / TSU_PAGE_MATERIALS == page;
+                 from++) {
+                for (const std::size_t row : *materials_[from].rows) {
+                    rows.push_back({row, materials_[from].index % TSU_PAGE_MATERIALS});
+                }
+            }
+            if (!probe->ask(page, rows, question_.in, out, failure.text)) {
+                return false;
+            }
+        }
+        return true;
     }
 
   private:
@@ -117,58 +148,12 @@ class Batch
         return status;
     }
 
-    bool ask_tables(std::vector<double> &out, Failure &failure)
-    {
-        const Function &function = question_.function;
-        for (const Material &material : materials_) {
-            for (const std::size_t row : *material.rows) {
-                const tsu_status status =
-                    tsu_set_evaluate(set_.get(), material.index, function.index,
-                                     &question_.in[row * function.inputs.size()],
-                                     &out[row * function.outputs.size()]);
-                if (status != TSU_OK) {
-                    failure = {row, host_.why(status)};
-                    return false;
-                }
-            }
-        }
-        return true;
-    }
-
-    bool ask_gpu(std::vector<double> &out, Failure &failure)
-    {
-        if (!probe_) {
-            probe_ = Probe::create(host_, question_.function, failure.text);
-        }
-        if (!probe_ || !probe_->sync(set_.get(), failure.text)) {
-            return false;
-        }
-        std::sort(materials_.begin(), materials_.end(),
-                  [](const Material &a, const Material &b) { return a.index < b.index; });
-        for (std::size_t from = 0; from < materials_.size();) {
-            const std::uint32_t page = materials_[from].index / TSU_PAGE_MATERIALS;
-            std::vector<Probe::Row> rows;
-            for (; from < materials_.size() && materials_[from].index / TSU_PAGE_MATERIALS == page;
-                 from++) {
-                for (const std::size_t row : *materials_[from].rows) {
-                    rows.push_back({row, materials_[from].index % TSU_PAGE_MATERIALS});
-                }
-            }
-            if (!probe_->ask(page, rows, question_.in, out, failure.text)) {
-                return false;
-            }
-        }
-        return true;
-    }
-
     Host &host_;
     Set set_;
     const Question &question_;
-    Where where_;
     std::vector<double> params_; // doubles for their alignment
     std::size_t params_size_ = 0;
     std::vector<Material> materials_;
-    std::unique_ptr<Probe> probe_;
 };
 
 } // namespace
@@ -208,12 +193,14 @@ bool evaluate_tables(const Question &question, Where where, std::vector<double> 
     out.assign(question.rows * question.function.outputs.size(), 0.0);
     const std::vector<Rows> groups = group(question);
     Host host;
-    Batch batch(host, question, where);
+    std::unique_ptr<Probe> probe;
     for (std::size_t first = 0; first < groups.size();) {
-        if (!batch.fill(groups, first, failure) || !batch.answer(out, failure)) {
+        Batch batch(host, question);
+        if (!batch.fill(groups, first, failure) ||
+            !(where == Where::gpu ? batch.ask_gpu(probe, out, failure)
+                                  : batch.ask_tables(out, failure))) {
             return false;
         }
-        batch.clear();
     }
     return true;
 }
