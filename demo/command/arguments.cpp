@@ -9,23 +9,27 @@ namespace tsuya::command {
 
 namespace {
 
-// Edits (insert, remove, replace) that turn one word into the other.
+// Edits (insert, remove, replace, exchange two neighbours) that turn one word into the other.
 std::size_t distance(const std::string &a, const std::string &b)
 {
-    std::vector<std::size_t> row(b.size() + 1);
-    for (std::size_t j = 0; j <= b.size(); j++) {
-        row[j] = j;
-    }
-    for (std::size_t i = 1; i <= a.size(); i++) {
-        std::size_t corner = row[0];
-        row[0] = i;
-        for (std::size_t j = 1; j <= b.size(); j++) {
-            const std::size_t above = row[j];
-            row[j] = std::min({above + 1, row[j - 1] + 1, corner + (a[i - 1] != b[j - 1])});
-            corner = above;
+    const std::size_t width = b.size() + 1;
+    std::vector<std::size_t> d((a.size() + 1) * width);
+    for (std::size_t i = 0; i <= a.size(); i++) {
+        for (std::size_t j = 0; j <= b.size(); j++) {
+            std::size_t &here = d[i * width + j];
+            if (i == 0 || j == 0) {
+                here = i + j;
+                continue;
+            }
+            const std::size_t *const above = &d[(i - 1) * width + j];
+            here = std::min(
+                {above[0] + 1, d[i * width + j - 1] + 1, above[-1] + (a[i - 1] != b[j - 1])});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+                here = std::min(here, d[(i - 2) * width + j - 2] + 1);
+            }
         }
     }
-    return row[b.size()];
+    return d.back();
 }
 
 } // namespace

@@ -1,0 +1,277 @@
+#!/usr/bin/env python3
+"""The `tsuya` command from outside: its help, its GLSL, its CSV, its numbers.
+
+    command_test.py /path/to/tsuya
+
+Needs the built command and glslangValidator. Prints one line a case; exits 1 when one fails.
+"""
+
+import json
+import math
+import os
+import pathlib
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+
+import command_numbers  # noqa: F401, registers its cases
+from command_support import AZIMUTHAL, CASES, Wrong, case, expect, models, output, refused, run
+from command_support import table, use
+
+TARGETS = ('330', '410', '450', '300es', '310es', 'vulkan')
+COMMANDS = ('models', 'glsl', 'bake', 'eval', 'render', 'scenes')
+
+
+@case
+def help_texts():
+    everything = output('--help')
+    for name in COMMANDS:
+        expect(name in everything, f'{name} is not in --help')
+    for name in ('models', 'glsl', 'bake', 'eval'):
+        said = output(name, '--help')
+        expect('usage: tsuya ' + name in said and 'examples:' in said, said)
+    expect(output('--version').startswith('tsuya '), 'no version')
+
+
+@case
+def unknown_words_are_errors_with_a_suggestion():
+    refused(['modles'], None, 'modles', 'did you mean models')
+    refused([], None, '--help')
+    refused(['--versoin'], None, 'did you mean --version')
+    refused(['eval', 'hari', '--on', 'cpu'], None, 'did you mean hair')
+    refused(['eval', 'hair', '--onn', 'cpu'], None, 'did you mean --on')
+    refused(['eval', 'hair', '--on', 'gup'], None, 'did you mean gpu')
+    refused(['eval', 'hair'], None, '--on is missing')
+    refused(['eval', 'hair', '--on', 'cpu', '--on', 'gpu'], None, 'twice')
+    refused(['eval', 'hair', '--on', 'cpu', '--model', 'marshner'], None, 'did you mean marschner')
+    refused(['eval', 'hair', '--on', 'cpu', '--variant', 'x'], None, 'no variant "x"')
+    refused(['glsl', 'marschner'], None, '--target is missing')
+    refused(['glsl', 'marschner', '--target', '460'], None, '450')
+    refused(['glsl', 'marschner,', '--target', '450'], None, 'no model ""')
+    refused(['glsl', 'marschner', '--target', '330', '--array', '128'], None, '[1, 127]')
+
+
+@case
+def models_list_everything():
+    names = [model['name'] for model in models()]
+    expect({'marschner', 'kajiya_kay'} <= set(names), names)
+    for model in models():
+        for key in ('title', 'source', 'parameters', 'tables', 'error', 'inputs', 'functions'):
+            expect(key in model, f'{model["name"]}: no {key}')
+        for value in [*model['parameters'], *(v for f in model['functions'] for v in f['inputs'])]:
+            expect(value['minimum'] <= value['default'] <= value['maximum'], value)
+            if value['unit'] == 'rad':
+                expect(abs(math.radians(value['maximum_deg']) - value['maximum'])
+                       <= 1e-9 * abs(value['maximum']), value)
+        for error in model['error'].values():
+            expect(math.isfinite(error['value']) and error['measure'] and error['range'], error)
+        expect(model['title'] in output('models', model['name']), 'no title in the plain list')
+
+
+@case
+def every_text_compiles_on_every_target():
+    names = [model['name'] for model in models()]
+    tail = '\nlayout(location = 0) out vec4 host;\nvoid main()\n{\n    host = vec4(1.0);\n}\n'
+    versions = {'330': '330 core', '410': '410 core', '450': '450 core', '300es': '300 es',
+                '310es': '310 es', 'vulkan': '450'}
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder, 'text.frag')
+        for asked in [*names, ','.join(names)]:
+            for target in TARGETS:
+                for harness in (False, True):
+                    words = ['--harness'] if harness else []
+                    text = output('glsl', asked, '--target', target, *words)
+                    expect(('#version' in text) == harness and ('void main' in text) == harness,
+                           f'{asked} {target}: #version or main where none belongs')
+                    expect(text.count('uniform sampler') <= 1, f'{asked}: more than one sampler')
+                    if not harness:
+                        text = f'#version {versions[target]}\n{text}{tail}'
+                    path.write_text(text)
+                    vulkan = ['-V', '-o', os.devnull] if target == 'vulkan' else []
+                    done = subprocess.run(['glslangValidator', *vulkan, str(path)], check=False,
+                                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+                    expect(done.returncode == 0, f'{asked} {target}: {done.stdout.decode()}')
+
+
+@case
+def array_holds_the_records():
+    text = output('glsl', 'marschner', '--target', '330', '--array', '3')
+    expect('tsu_materials' not in text and 'tsu_records[' in text, text[:400])
+
+
+@case
+def csv_passes_comments_and_columns_through():
+    text = ('# first\n#second, with, commas\nname,phi_deg,eta\n x y,30,1.5\n#between\n'
+            '"a,b",60,1.6\n#end\n')
+    lines = output(*AZIMUTHAL, text=text).splitlines()
+    comments = ['# first', '#second, with, commas', '#between', '#end']
+    expect([lines[i] for i in (0, 1, 4, 6)] == comments, lines)
+    expect(lines[2] == 'name,phi_deg,eta,R,TT,TRT,RES', lines[2])
+    expect(lines[3].startswith(' x y,30,1.5,') and lines[5].startswith('"a,b",60,1.6,'), lines)
+
+
+@case
+def csv_takes_columns_in_any_order_and_defaults():
+    head = 'eta,theta_d_deg,sigma_a,beta_az_deg,phi_deg'
+    one = output(*AZIMUTHAL, text=head + '\n1.55,20,0,10,160\n').splitlines()[1].split(',')[5:]
+    two = output(*AZIMUTHAL, text='phi_deg,theta_d_deg\n160,20\n').splitlines()[1].split(',')[2:]
+    expect(one == two, f'{one} {two}')
+
+
+@case
+def csv_reads_every_spelling_of_a_number():
+    values = set()
+    for cell in ('1.55', ' 1.55 ', '+1.55', '155e-2', '+.155E+1', '\t1.55', '"1.55"', '1.550'):
+        row = output(*AZIMUTHAL, text=f'eta,k\n{cell},0\n').splitlines()[1]
+        values.add(tuple(row.split(',')[2:]))
+    expect(len(values) == 1, values)
+    for cell in ('1,55', '1.55x', '0x1p0', '++1.5', '1 5', '1e', 'e1', '-', '1.5e+'):
+        done = run(*AZIMUTHAL, text=f'eta\n{cell}\n')
+        expect(done.returncode == 2 and done.stdout == b'', f'{cell} was read')
+    output(*AZIMUTHAL, text='sigma_a\n1e-400\n')
+
+
+@case
+def csv_takes_crlf_and_a_byte_order_mark():
+    plain = output(*AZIMUTHAL, text='# c\neta,phi_deg\n1.5,20\n')
+    expect(plain == output(*AZIMUTHAL, text='# c\r\neta,phi_deg\r\n1.5,20\r\n'), 'CRLF differs')
+    expect(plain == output(*AZIMUTHAL, text=b'\xef\xbb\xbf# c\neta,phi_deg\n1.5,20'), 'BOM differs')
+    expect(plain == output(*AZIMUTHAL, text='# c\neta,phi_deg\n1.5,20\n\n \n'), 'blank end differs')
+
+
+@case
+def csv_header_alone_gives_the_header():
+    for on in ('reference', 'cpu', 'gpu'):
+        expect(output('eval', 'hair-azimuthal', '--on', on, text='#c\neta,foo\n')
+               == '#c\neta,foo,R,TT,TRT,RES\n', on)
+
+
+@case
+def csv_errors_name_line_and_column():
+    refused(AZIMUTHAL, '#c\neta,theta_d_deg\n1.5,20\n#c\n1.5,91\n',
+            'line 5, column theta_d_deg: 91 is outside [-90, 90]')
+    refused(AZIMUTHAL, 'eta\n1.5\n1.1\n', 'line 3, column eta: 1.1 is outside [1.2, 2]')
+    refused(AZIMUTHAL, 'eta\nnan\n', 'line 2, column eta', 'nan')
+    refused(AZIMUTHAL, 'phi_deg\ninf\n', 'line 2, column phi_deg', 'inf')
+    refused(AZIMUTHAL, 'phi_deg\n-inf\n', 'line 2, column phi_deg', '-inf')
+    refused(AZIMUTHAL, 'phi_deg\n1e999\n', 'line 2, column phi_deg', 'inf')
+    refused(AZIMUTHAL, 'eta,phi_deg\n1.5,\n', 'line 2, column phi_deg', 'empty')
+    refused(AZIMUTHAL, 'eta\nabc\n', 'line 2, column eta', '"abc" is not a number')
+    refused(AZIMUTHAL, 'eta,foo\n1.5,1\n1.5\n', 'line 3', '1 cell', '2 columns')
+    refused(AZIMUTHAL, 'eta,foo\n1.5,1,2\n', 'line 2', '3 cells', '2 columns')
+    refused(AZIMUTHAL, 'eta,foo,eta\n', 'line 1', 'column 3', 'eta')
+    refused(AZIMUTHAL, 'eta,\n', 'line 1', 'column 2', 'no name')
+    refused(AZIMUTHAL, '1.5,2\n', 'line 1', 'header')
+    refused(AZIMUTHAL, '', 'no header')
+    refused(AZIMUTHAL, '# only\n', 'no header')
+    refused(AZIMUTHAL, 'eta,TT\n1.5,0\n', 'column TT', 'result')
+    refused(AZIMUTHAL, 'eta\n\n1.5\n', 'line 2', 'blank')
+    refused([*AZIMUTHAL, '/nonexistent.csv'], None, '/nonexistent.csv')
+    for on in ('cpu', 'gpu'):
+        refused(['eval', 'hair', '--on', on], 'beta_R_deg\n1\n',
+                'line 2, column beta_R_deg', '[2, 30]')
+
+
+@case
+def csv_limits_belong_to_the_range():
+    for on in ('reference', 'cpu', 'gpu'):
+        for corner in ('-90,-20,2,5,1.2', '90,20,30,30,2'):
+            text = 'theta_i_deg,alpha_R_deg,beta_R_deg,beta_az_deg,eta\n' + corner + '\n'
+            last = output('eval', 'hair', '--on', on, text=text).splitlines()[1].split(',')[-1]
+            expect(math.isfinite(float(last)), f'{on} {corner}: {last}')
+
+
+@case
+def copied_angles_in_radians_are_warned_of():
+    done = run(*AZIMUTHAL, text='theta_d\n0.3\n')
+    expect(done.returncode == 0 and b'theta_d_deg' in done.stderr, done.stderr)
+
+
+@case
+def a_comma_locale_changes_nothing():
+    plain = output(*AZIMUTHAL, text='eta,phi_deg\n1.5,20.5\n')
+    with tempfile.TemporaryDirectory() as folder:
+        if shutil.which('localedef'):
+            subprocess.run(['localedef', '-i', 'de_DE', '-f', 'UTF-8', folder + '/de_DE.UTF-8'],
+                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
+        env = {'LC_ALL': 'de_DE.UTF-8', 'LOCPATH': folder}
+        expect(plain == output(*AZIMUTHAL, text='eta,phi_deg\n1.5,20.5\n', env=env), 'differs')
+        glsl = ('glsl', 'marschner', '--target', '330')
+        expect(output(*glsl) == output(*glsl, env=env), 'the GLSL differs')
+        json.loads(output('models', '--json', env=env))
+
+
+@case
+def bake_writes_what_it_says():
+    with tempfile.TemporaryDirectory() as folder:
+        block = folder + '/page.block'
+        for model in models():
+            said = {}
+            for ending in ('bin', 'csv', 'exr'):
+                path = f'{folder}/tables.{ending}'
+                said[ending] = output('bake', model['name'], 'color=brown', 'alpha_R_deg=-5',
+                                      '--no-measure', '-o', path, '--block', block)
+            expect('bytes' in said['bin'] and 'ms' in said['bin'], said['bin'])
+            expect(os.path.getsize(block) == 16384, 'size of the block')
+            data = pathlib.Path(folder, 'tables.bin').read_bytes()
+            version, offset, width, height, channels, size = struct.unpack_from('<6I', data, 8)
+            expect(data[:8] == b'TSUYATEX' and (version, offset, channels, size) == (1, 32, 4, 2),
+                   data[:32])
+            halves = struct.unpack_from(f'<{width * height * 4}e', data, offset)
+            expect(len(data) == offset + 2 * len(halves), 'size of the file')
+            head, rows = table(pathlib.Path(folder, 'tables.csv').read_text())
+            expect(head == ['x', 'y', 'r', 'g', 'b', 'a'], head)
+            numbers = [float(cell) for row in rows for cell in row[2:]]
+            same = all(abs(a - b) <= 1e-8 * abs(b) for a, b in zip(numbers, halves))
+            expect(len(numbers) == len(halves) and same, 'csv and bin differ')
+            magic = pathlib.Path(folder, 'tables.exr').read_bytes()[:4]
+            expect(magic == b'\x76\x2f\x31\x01', 'no EXR')
+
+
+@case
+def bake_measures_its_errors():
+    with tempfile.TemporaryDirectory() as folder:
+        said = output('bake', 'marschner', '-o', folder + '/t.bin')
+        expect('error' in said, said)
+
+
+@case
+def bake_refuses_bad_keys_and_writes_nothing():
+    with tempfile.TemporaryDirectory() as folder:
+        path = folder + '/t.bin'
+        bad = (('eta=3', '[1.2, 2]'), ('beta_R_deg=1', '[2, 30]'), ('eta=nan', 'nan'),
+               ('etta=1.5', 'did you mean eta'), ('eta', 'key=value'), ('eta=', 'not a number'),
+               ('sigma_a=1,2', 'one or three'), ('sigma_a=-1', 'outside'),
+               ('color=brwn', 'did you mean brown'), ('albedo=2', 'albedo'),
+               ('eumelanin=1,2', 'one number'), ('alpha_R=99', 'outside'))
+        for word, part in bad:
+            refused(['bake', 'marschner', word, '-o', path], None, part)
+            expect(not os.listdir(folder), f'{word}: a file was written')
+        refused(['bake', 'marschner', 'color=red', 'sigma_a=1', '-o', path], None, 'absorption')
+        refused(['bake', 'marschner', 'eta=1.5', 'eta=1.6', '-o', path], None, 'twice')
+        refused(['bake', 'marschner', '-o', folder + '/t.png'], None, '.exr')
+        refused(['bake', 'marschner'], None, '-o FILE')
+        refused(['bake', '-o', path], None, 'no model')
+
+
+def main():
+    if len(sys.argv) != 2:
+        print('usage: command_test.py /path/to/tsuya', file=sys.stderr)
+        return 2
+    use(sys.argv[1])
+    failed = 0
+    for function in CASES:
+        name = function.__name__.replace('_', ' ')
+        try:
+            function()
+            print('pass', name, flush=True)
+        except (Wrong, subprocess.SubprocessError, ValueError, KeyError, OSError) as why:
+            failed += 1
+            print('FAIL', name + ':', why, flush=True)
+    return 1 if failed else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())
