@@ -1,0 +1,6 @@
+#include "rig.h"
+
+int main(void)
+{
+    return set_tests() + growth_tests() + jobs_tests() + memory_tests() != 0;
+}
