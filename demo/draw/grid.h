@@ -26,7 +26,7 @@ class Grid
     // Spread a groom over cubes, `resolution` of them along its longest side, and a border.
     //   width_scale  factor on every fibre's width, > 0
     void fill(const groom::Groom &groom, const Solid &solid, float width_scale,
-              int resolution = 64);
+              int resolution = 128);
 
     // Fibres between each cell's centre and the light, x fastest, then y.
     //   direction  towards the light, unit, space of the groom

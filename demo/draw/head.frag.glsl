@@ -11,10 +11,9 @@ void main()
     vec3 n = normalize(v_normal);
     vec3 place = grid_place(v_position + u_lift * n);
     vec3 sum = vec3(0.0);
-    for (int k = 0; 4 * k < u_lights; k++) {
+    for (int k = u_groups_begin; k < u_groups_end; k++) {
         vec4 count = fibres(place, k);
-        int last = min(u_lights - 4 * k, 4);
-        for (int i = 0; i < last; i++) {
+        for (int i = 0; i < 4; i++) {
             float facing = max(dot(n, u_light_direction[4 * k + i]), 0.0);
             sum += u_light_color[4 * k + i] * exp(-u_loss * count[i]) * facing;
         }

@@ -8,7 +8,8 @@
 
 namespace tsuya::draw {
 
-constexpr int lights_most = 64; // in one frame, those of the sky included
+constexpr int lights_most = 32; // in one frame
+constexpr int sky_most = 32;
 
 struct Light {
     glm::vec3 direction;  // towards the light, unit, world

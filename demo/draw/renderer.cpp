@@ -9,6 +9,26 @@
 
 namespace tsuya::draw {
 
+namespace {
+
+int groups(const std::vector<Light> &lights)
+{
+    return (int(lights.size()) + 3) / 4;
+}
+
+// Lights, then the sky, each filled up to a multiple of four with lights of no colour.
+std::vector<Light> grouped(const Frame &frame)
+{
+    const Light none = {glm::vec3(0.0f, 1.0f, 0.0f), glm::vec3(0.0f)};
+    std::vector<Light> all = frame.lights;
+    all.resize(std::size_t(4 * groups(frame.lights)), none);
+    all.insert(all.end(), frame.sky.begin(), frame.sky.end());
+    all.resize(std::size_t(4 * (groups(frame.lights) + groups(frame.sky))), none);
+    return all;
+}
+
+} // namespace
+
 Expected<std::unique_ptr<Renderer>> Renderer::create(tsu_gl_proc_fn proc, void *user,
                                                      const Folders &folders)
 {
@@ -23,6 +43,7 @@ Expected<std::unique_ptr<Renderer>> Renderer::create(tsu_gl_proc_fn proc, void *
     }
     self->shading_ = std::move(*shading);
     self->strands_ = std::make_unique<Strands>(&self->gl_);
+    self->sky_ = std::make_unique<Target>(&self->gl_);
     self->samples_ = std::make_unique<Target>(&self->gl_);
     self->resolved_ = std::make_unique<Target>(&self->gl_);
     self->shown_ = std::make_unique<Target>(&self->gl_);
@@ -126,7 +147,7 @@ void Renderer::shadows(const Frame &frame)
     }
     const glm::mat3 back = glm::transpose(glm::mat3(frame.model));
     std::vector<glm::vec3> directions;
-    for (const Light &light : frame.lights) {
+    for (const Light &light : grouped(frame)) {
         directions.push_back(glm::normalize(back * light.direction));
     }
     if (directions == swept_) {
@@ -157,14 +178,16 @@ void Renderer::shadows(const Frame &frame)
     gl_.TexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAX_LEVEL, 0);
 }
 
-void Renderer::lights(const Program &program, const Frame &frame) const
+void Renderer::lights(const Program &program, const Frame &frame, Which which) const
 {
     std::vector<glm::vec3> directions, colors;
-    for (const Light &light : frame.lights) {
+    for (const Light &light : grouped(frame)) {
         directions.push_back(light.direction);
         colors.push_back(light.irradiance);
     }
-    program.set("u_lights", int(directions.size()));
+    const int middle = groups(frame.lights), end = middle + groups(frame.sky);
+    program.set("u_groups_begin", which == Which::sky ? middle : 0);
+    program.set("u_groups_end", which == Which::lights ? middle : end);
     program.set("u_light_direction", directions);
     program.set("u_light_color", colors);
     program.set("u_loss", frame.loss);
@@ -178,10 +201,31 @@ void Renderer::lights(const Program &program, const Frame &frame) const
     gl_.BindTexture(GL_TEXTURE_3D, fibres_);
 }
 
+void Renderer::sky(const Frame &frame)
+{
+    sky_->bind();
+    gl_.Disable(GL_BLEND);
+    gl_.Disable(GL_DEPTH_TEST);
+    const Program &program = shading_->bind_sky();
+    lights(program, frame, Which::sky);
+    program.set("u_points", 1);
+    program.set("u_strands", 2);
+    program.set("u_model", frame.model);
+    program.set("u_eye", frame.eye);
+    program.set("u_sigma_a", frame.sigma_a);
+    program.set("u_variation", frame.variation);
+    strands_->bind();
+    gl_.BindVertexArray(empty_);
+    gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
 void Renderer::strands(const Program &program, const Frame &frame, int width, int height) const
 {
     program.set("u_points", 1);
     program.set("u_strands", 2);
+    program.set("u_sky", 4);
+    gl_.ActiveTexture(GL_TEXTURE4);
+    gl_.BindTexture(GL_TEXTURE_2D, sky_->texture());
     program.set("u_model", frame.model);
     program.set("u_view_projection", frame.projection * frame.view);
     program.set("u_half_size", 0.5f * float(width), 0.5f * float(height));
@@ -202,7 +246,7 @@ void Renderer::head(const Frame &frame)
         return;
     }
     gl_.UseProgram(head_program_.id());
-    lights(head_program_, frame);
+    lights(head_program_, frame, Which::both);
     head_program_.set("u_model", frame.model);
     head_program_.set("u_view_projection", frame.projection * frame.view);
     head_program_.set("u_albedo", frame.skin);

@@ -1,7 +1,7 @@
 // Draws a head of hair: the one path that `tsuya render` and the window share.
 //
-// Order of a frame: the head with depth, then all strand segments from far to near, blended over,
-// into `supersample` times the picture's size, then the mean over each pixel's samples. Sorting
+// Order of a frame: the sky's light on every point of a strand; the head with depth, then all strand
+// segments from far to near, lit by the other lights in each pixel and blended over, into `supersample` times the picture's size, then the mean over each pixel's samples. Sorting
 // whole segments by their middle is exact where segments do not cross; no layer is lost or counted
 // twice, so energy does not depend on the number of strands. What remains is that fibres inside one
 // pixel are taken as crossing it independently, which understates gaps between aligned ones; the
@@ -33,7 +33,8 @@ struct Frame {
     glm::mat4 projection{1.0f};
     glm::vec3 eye{0.0f};       // in the world
     float near = 0.01f;        // segments nearer than that are left out
-    std::vector<Light> lights; // at most lights_most
+    std::vector<Light> lights; // evaluated in each pixel; at most lights_most
+    std::vector<Light> sky;    // evaluated in each point of a strand; at most sky_most
     glm::vec3 background{0.0f};
     glm::vec3 skin{0.5f, 0.36f, 0.29f}; // albedo of the head
     bool head = true;
@@ -96,14 +97,16 @@ class Renderer
     Renderer() = default;
     Expected<bool> build();
     void shadows(const Frame &frame);
-    void lights(const Program &program, const Frame &frame) const;
+    enum class Which { lights, sky, both };
+    void lights(const Program &program, const Frame &frame, Which which) const;
+    void sky(const Frame &frame);
     void strands(const Program &program, const Frame &frame, int width, int height) const;
     void head(const Frame &frame);
 
     gl_api gl_{};
     std::unique_ptr<Shading> shading_;
     std::unique_ptr<Strands> strands_;
-    std::unique_ptr<Target> samples_, resolved_, shown_;
+    std::unique_ptr<Target> sky_, samples_, resolved_, shown_;
     Program head_program_, resolve_, display_, identity_;
     groom::Groom groom_;
     Solid solid_;

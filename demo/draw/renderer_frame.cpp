@@ -7,10 +7,10 @@ namespace tsuya::draw {
 
 Expected<bool> Renderer::draw(const Frame &frame)
 {
-    if (frame.lights.size() > std::size_t(lights_most)) {
-        return Error{"the frame has " + std::to_string(frame.lights.size()) +
-                     " lights, those of the sky included, but must have at most " +
-                     std::to_string(lights_most)};
+    if (frame.lights.size() > std::size_t(lights_most) ||
+        frame.sky.size() > std::size_t(sky_most)) {
+        return Error{"a frame must have at most " + std::to_string(lights_most) +
+                     " lights and as many for the sky"};
     }
     const int width = frame.width * frame.supersample, height = frame.height * frame.supersample;
     GLint most = 0;
@@ -21,6 +21,7 @@ Expected<bool> Renderer::draw(const Frame &frame)
                      std::to_string(most) + " pixels along a side"};
     }
     if (!samples_->resize(width, height, true) ||
+        !sky_->resize(Strands::row_points, strands_->rows(), false) ||
         !resolved_->resize(frame.width, frame.height, false)) {
         return Error{"this context cannot draw into a float picture of " + std::to_string(width) +
                      "x" + std::to_string(height)};
@@ -28,10 +29,11 @@ Expected<bool> Renderer::draw(const Frame &frame)
     shadows(frame);
     strands_->sort(frame.view * frame.model, frame.near);
 
-    samples_->bind();
     gl_.Disable(GL_SCISSOR_TEST);
     gl_.Disable(GL_CULL_FACE);
     gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    sky(frame);
+    samples_->bind();
     gl_.DepthMask(GL_TRUE);
     gl_.ClearColor(frame.background.x, frame.background.y, frame.background.z, 0.0f);
     gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -41,8 +43,8 @@ Expected<bool> Renderer::draw(const Frame &frame)
     gl_.Enable(GL_BLEND);
     gl_.BlendEquation(GL_FUNC_ADD);
     gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    const Program &program = shading_->bind();
-    lights(program, frame);
+    const Program &program = shading_->bind_strand();
+    lights(program, frame, Which::lights);
     program.set("u_eye", frame.eye);
     program.set("u_sigma_a", frame.sigma_a);
     program.set("u_variation", frame.variation);

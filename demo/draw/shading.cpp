@@ -80,7 +80,7 @@ Shading::~Shading()
     tsu_context_destroy(context_);
 }
 
-Expected<Program> Shading::build(const tsu_model *model)
+Expected<Shading::Programs> Shading::build(const tsu_model *model)
 {
     tsu_model_info info;
     tsu_model_info_init(&info);
@@ -113,19 +113,28 @@ Expected<Program> Shading::build(const tsu_model *model)
     const std::string text = tsu_shader_text(shader, nullptr) + call;
     tsu_shader_destroy(shader);
 
-    const std::string &folder = folders_.demo;
-    Expected<Program> program =
-        link(gl_, {source(folder, "strand.vert.glsl")},
-             {text, source(folder, "coverage.glsl"), source(folder, "light.glsl"),
-              source(folder, "strand.frag.glsl")});
-    if (program) {
-        message_.clear();
+    const auto file = [&](const char *which) { return source(folders_.demo, which); };
+    Expected<Program> strand =
+        link(gl_, {file("strand.vert.glsl")},
+             {text, file("coverage.glsl"), file("light.glsl"), file("lit.glsl"),
+              file("strand.frag.glsl")});
+    if (!strand) {
+        return Error{strand.error()};
+    }
+    Expected<Program> sky = link(gl_, {file("screen.vert.glsl")},
+                                 {text, file("light.glsl"), file("lit.glsl"),
+                                  file("sky.frag.glsl")});
+    if (!sky) {
+        return Error{sky.error()};
+    }
+    message_.clear();
+    for (const Program *program : {&*strand, &*sky}) {
         const tsu_status bound = tsu_gl_program_setup(guest_, program->id(), unit, block);
         if (bound != TSU_OK) {
             return failed("the program cannot be set up", bound);
         }
     }
-    return program;
+    return Expected<Programs>(Programs{std::move(*strand), std::move(*sky)});
 }
 
 Expected<bool> Shading::set(const tsu_model *model, const void *params)
@@ -136,9 +145,9 @@ Expected<bool> Shading::set(const tsu_model *model, const void *params)
         return failed("the material is refused", status);
     }
     if (model != model_) {
-        Expected<Program> program = build(model);
-        if (!program) {
-            return Error{program.error()};
+        Expected<Programs> programs = build(model);
+        if (!programs) {
+            return Error{programs.error()};
         }
         uint32_t material = 0;
         if (model_) {
@@ -147,7 +156,7 @@ Expected<bool> Shading::set(const tsu_model *model, const void *params)
         }
         status = tsu_set_add(set_, model, params, &material);
         if (status == TSU_OK) {
-            program_ = std::move(*program);
+            programs_ = std::move(*programs);
             model_ = model;
             material_ = material;
         }
@@ -169,20 +178,30 @@ Expected<bool> Shading::set(const tsu_model *model, const void *params)
 Expected<bool> Shading::reload()
 {
     if (model_) {
-        Expected<Program> program = build(model_);
-        if (!program) {
-            return Error{program.error()};
+        Expected<Programs> programs = build(model_);
+        if (!programs) {
+            return Error{programs.error()};
         }
-        program_ = std::move(*program);
+        programs_ = std::move(*programs);
     }
     return true;
 }
 
-const Program &Shading::bind()
+const Program &Shading::bind(const Program &program)
 {
-    gl_.UseProgram(program_.id());
+    gl_.UseProgram(program.id());
     tsu_gl_bind(guest_, material_ / TSU_PAGE_MATERIALS, unit, block);
-    return program_;
+    return program;
+}
+
+const Program &Shading::bind_strand()
+{
+    return bind(programs_.strand);
+}
+
+const Program &Shading::bind_sky()
+{
+    return bind(programs_.sky);
 }
 
 } // namespace tsuya::draw

@@ -39,8 +39,9 @@ class Shading
     // Read all GLSL again. Errors: it does not compile; the old program stays.
     Expected<bool> reload();
 
-    // Bind program, table and record: unit 0, block 0.
-    const Program &bind();
+    // Bind a program, table and record: unit 0, block 0.
+    const Program &bind_strand(); // strand.vert.glsl and strand.frag.glsl
+    const Program &bind_sky();    // screen.vert.glsl and sky.frag.glsl
 
     const tsu_model *model() const
     {
@@ -55,7 +56,12 @@ class Shading
     Shading(const gl_api &gl, const Folders &folders) : gl_(gl), folders_(folders)
     {
     }
-    Expected<Program> build(const tsu_model *model);
+    // The programs that call the model's entry.
+    struct Programs {
+        Program strand, sky;
+    };
+    Expected<Programs> build(const tsu_model *model);
+    const Program &bind(const Program &program);
     static void log(void *user, int32_t level, int32_t code, const char *text);
     static int32_t read(void *user, const char *name, const char **text, size_t *size);
     Error failed(const char *what, tsu_status status) const;
@@ -67,7 +73,7 @@ class Shading
     tsu_gl *guest_ = nullptr;
     const tsu_model *model_ = nullptr;
     uint32_t material_ = 0;
-    Program program_;
+    Programs programs_;
     std::string message_; // last error that the library logged
     std::string text_;    // last file that it read
 };

@@ -7,6 +7,7 @@
 
 uniform highp sampler2D u_points;  // xyz and radius, world units before u_model
 uniform highp sampler2D u_strands; // length from the root, length to the tip, seed, strand
+uniform highp sampler2D u_sky;     // radiance from the sky at each point
 uniform mat4 u_model;
 uniform mat4 u_view_projection;
 uniform vec2 u_half_size;    // of the picture, pixels
@@ -19,6 +20,7 @@ out vec3 v_tangent;
 out vec4 v_ribbon; // across, half width, length from the root, length to the tip: pixels
 out vec2 v_screen; // direction on the screen
 out vec2 v_strand; // seed, strand
+out vec3 v_sky;
 
 ivec2 texel(int index)
 {
@@ -85,5 +87,6 @@ void main()
     v_ribbon = vec4(across, half_width, strand.x * pixels + end, strand.y * pixels - end);
     v_screen = dir;
     v_strand = strand.zw;
+    v_sky = texelFetch(u_sky, texel(point), 0).rgb;
     gl_Position = vec4(at / u_half_size, clip.z / clip.w, 1.0);
 }

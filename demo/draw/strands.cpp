@@ -10,7 +10,7 @@ namespace tsuya::draw {
 
 namespace {
 
-constexpr std::size_t row = 2048; // every GL 3.3 and ES 3 driver in use has textures this wide
+constexpr std::size_t row = Strands::row_points; // every GL 3.3 and ES 3 driver in use has textures this wide
 
 GLuint texture(const gl_api &gl, GLenum unit, const std::vector<glm::vec4> &texels)
 {
@@ -103,6 +103,7 @@ bool Strands::load(const groom::Groom &groom)
         gl_->GenBuffers(1, &elements_);
     }
     count_ = 0;
+    rows_ = int(rows);
     return true;
 }
 
@@ -159,12 +160,17 @@ void Strands::upload(const std::vector<std::uint32_t> &order)
     count_ = GLsizei(elements.size());
 }
 
-void Strands::draw() const
+void Strands::bind() const
 {
     gl_->ActiveTexture(GL_TEXTURE1);
     gl_->BindTexture(GL_TEXTURE_2D, points_);
     gl_->ActiveTexture(GL_TEXTURE2);
     gl_->BindTexture(GL_TEXTURE_2D, data_);
+}
+
+void Strands::draw() const
+{
+    bind();
     gl_->BindVertexArray(array_);
     gl_->DrawElements(GL_TRIANGLES, count_, GL_UNSIGNED_INT, nullptr);
 }

@@ -15,6 +15,8 @@ namespace tsuya::draw {
 class Strands
 {
   public:
+    static constexpr int row_points = 2048; // points in a row of the textures
+
     explicit Strands(const gl_api *gl) : gl_(gl)
     {
     }
@@ -36,6 +38,14 @@ class Strands
     // GL: leaves units 1 and 2, the vertex array and the element buffer bound.
     void draw() const;
 
+    // Bind the points to unit 1 and the strands to unit 2.
+    void bind() const;
+    // Rows of row_points points.
+    int rows() const
+    {
+        return rows_;
+    }
+
     std::size_t strands() const
     {
         return strand_count_;
@@ -53,6 +63,7 @@ class Strands
     GLuint points_ = 0, data_ = 0, array_ = 0, elements_ = 0;
     std::size_t strand_count_ = 0;
     GLsizei count_ = 0;
+    int rows_ = 0;
     std::vector<glm::vec3> place_;      // of points
     std::vector<std::uint32_t> first_;  // first point of each segment
     std::vector<std::uint32_t> strand_; // of each segment

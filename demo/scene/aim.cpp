@@ -85,13 +85,15 @@ std::vector<draw::Light> lights(const Scene &scene)
         result.push_back({glm::vec3(glm::normalize(light.direction)),
                           glm::vec3(light.color * light.intensity)});
     }
-    if (scene.dome > 0.0) {
-        for (const draw::Light &light :
-             draw::sky(glm::vec3(scene.dome_color * scene.dome), scene.dome_lights)) {
-            result.push_back(light);
-        }
-    }
     return result;
+}
+
+std::vector<draw::Light> sky(const Scene &scene)
+{
+    if (scene.dome <= 0.0) {
+        return {};
+    }
+    return draw::sky(glm::vec3(scene.dome_color * scene.dome), scene.dome_lights);
 }
 
 void aim(const Scene &scene, const Hair &hair, bool turntable, draw::Frame &frame)

@@ -204,6 +204,7 @@ draw::Frame frame(const Scene &scene, const Hair &hair, const Material &material
     frame.height = scene.height;
     frame.supersample = scene.supersample;
     frame.lights = lights(scene);
+    frame.sky = sky(scene);
     frame.background = glm::vec3(scene.background);
     frame.head = scene.head == "auto";
     frame.shadow = scene.shadow == "grid";

@@ -35,7 +35,7 @@ struct Material {
 // Errors: a parameter out of the model's range; an albedo that no pigment gives.
 Expected<Material> material(const Scene &scene);
 
-// Lights of a scene: those of its rig, its own, and those of the sky; directions and irradiance.
+// Lights of a scene: those of its rig and its own.
 //
 // Rigs, by direction (azimuth, elevation from the front) and irradiance for the default dome of 0.5:
 //   key    (40, 35) 3.0 and a rim (200, 25) 3.0     front  (10, 20) 3.0
@@ -44,6 +44,8 @@ Expected<Material> material(const Scene &scene);
 // each sends it another way: Marschner's fibre sends most of it on, away from the light. Rim and dome
 // of the default make up for what the key loses, which is why the mean of a picture stays.
 std::vector<draw::Light> lights(const Scene &scene);
+// The scene's dome as lights; none when it is dark.
+std::vector<draw::Light> sky(const Scene &scene);
 
 // Everything but the material's parameters. `frames` of a turntable share one camera distance.
 //

@@ -1,0 +1,33 @@
+// Radiance of a fibre towards the viewer from a range of lights: one call of the model for each.
+//
+// HAIR(t, l, v, sigma_a) is the model's entry and its sum of lobes.
+
+uniform vec3 u_sigma_a;
+uniform float u_variation; // deviation of ln(sigma_a) from strand to strand
+
+// Light that hair has dimmed to less than this share is left out.
+const float FAINT = 1e-3;
+
+//   t, v      unit: tangent from root to tip, towards the viewer
+//   position  world
+//   seed      of the strand, [0, 1)
+vec3 lit(vec3 t, vec3 v, vec3 position, float seed)
+{
+    // Uniform with deviation 1.
+    float chance = 1.7320508 * (2.0 * seed - 1.0);
+    vec3 sigma_a = u_sigma_a * exp(u_variation * chance);
+    vec3 place = grid_place(position);
+    vec3 sum = vec3(0.0);
+    for (int k = u_groups_begin; k < u_groups_end; k++) {
+        vec4 count = fibres(place, k);
+        for (int i = 0; i < 4; i++) {
+            vec3 passed = exp(-u_loss * count[i]);
+            vec3 color = u_light_color[4 * k + i];
+            if (max(passed.r, max(passed.g, passed.b)) > FAINT &&
+                max(color.r, max(color.g, color.b)) > 0.0) {
+                sum += passed * color * HAIR(t, u_light_direction[4 * k + i], v, sigma_a);
+            }
+        }
+    }
+    return sum;
+}
