@@ -30,10 +30,10 @@ tsu_kajiya_kay_lobes tsu_kajiya_kay_eval(int material, vec3 t, vec3 l, vec3 v, v
     float cos_i = sqrt(clamp(1.0 - sin_i * sin_i, 0.0, 1.0));
     float cos_r = sqrt(clamp(1.0 - sin_r * sin_r, 0.0, 1.0));
 
-    // The view's inclination is turned by the shift.
+    // The view's inclination is turned by the shift; past a pole it comes back on the other side.
     float sin_s = highlight.x * sin_r - highlight.y * cos_r;
     float cos_s = highlight.x * cos_r + highlight.y * sin_r;
-    float cone = clamp(cos_i * cos_s - sin_i * sin_s, 0.0, 1.0); // log2(0) = -inf, exp2 of it 0
+    float cone = clamp(cos_i * abs(cos_s) - sin_i * sin_s, 0.0, 1.0);
     float reflected = surface.y * exp2(surface.z * cos_r) + surface.x;
 
     tsu_kajiya_kay_lobes lobes;

@@ -375,6 +375,11 @@ tsu_status tsu_set_evaluate(tsu_set *set, uint32_t material, uint32_t function, 
         return status;
     const struct material *m = set->materials + material;
     status = out ? tsu_i_inputs_check(set->context, m->model, function, in) : TSU_E_PARAMETER;
+    if (status == TSU_OK && !m->model->functions[function].sampled) {
+        tsu_i_log(set->context, TSU_LOG_ERROR, TSU_LOG_INDEX, "%s has a reference only",
+                  m->model->functions[function].info.name);
+        return TSU_E_UNSUPPORTED;
+    }
     if (status == TSU_OK)
         m->model->functions[function].sampled(m->state, record_of(set, material), tables, in, out);
     return status;

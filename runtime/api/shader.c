@@ -42,7 +42,8 @@ static tsu_status check(const tsu_context *context, const tsu_shader_desc *desc)
         if (!desc->models[i])
             return reject(context, "models", i, "no NULL entry");
     if (desc->flags & TSU_SHADER_PROBE &&
-        (desc->model_count != 1 || desc->function >= desc->models[0]->info.function_count))
+        (desc->model_count != 1 || desc->function >= desc->models[0]->info.function_count ||
+         !desc->models[0]->functions[desc->function].sampled))
         return reject(context, "function", desc->function, "a function of the one model asked for");
     if (desc->flags & TSU_SHADER_ARRAY && desc->target == TSU_TARGET_VULKAN)
         return reject(context, "flags", desc->flags, "no TSU_SHADER_ARRAY for Vulkan");

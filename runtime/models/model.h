@@ -47,7 +47,7 @@ struct tsu_i_function {
     // Material parameters out of checked inputs, over initialised `params`.
     void (*params)(const double *in, void *params);
     void (*reference)(const double *in, double *out);
-    // As the shader, in float, from the baked tables and the record.
+    // As the shader, in float, from the baked tables and the record; NULL: reference only.
     void (*sampled)(const void *state, const float *record, const struct tsu_i_texels *tables,
                     const double *in, double *out);
 };

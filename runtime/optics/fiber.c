@@ -44,7 +44,7 @@ static void attenuations(const struct tsu_i_ray *ray, double sigma_a, double a[5
     a[1] = through * t;
     a[2] = a[1] * f * t;
     a[3] = a[2] * f * t;
-    a[4] = a[3] * f * t / (1.0 - f * t);
+    a[4] = a[3] * f * t / fmax(1.0 - f * t, 1e-300); // 0/0 at grazing: nothing enters
 }
 
 // Sum over the images of a Gaussian on the circle; x within [-pi, pi]. Images beyond the first

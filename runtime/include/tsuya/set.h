@@ -109,7 +109,8 @@ TSU_API const void *tsu_set_params(const tsu_set *set, uint32_t material, const 
 // Answer a function of the material's model from the baked tables, in C, as the shader does:
 // same formulas, same texels, bilinear as GL filters. `in` and `out` as tsu_function_reference();
 // inputs marked TSU_VALUE_MATERIAL are read from the material, not from `in`.
-// Errors: TSU_E_PARAMETER, TSU_E_STATE (stale tables). Threads: object.
+// Errors: TSU_E_PARAMETER, TSU_E_STATE (stale tables), TSU_E_UNSUPPORTED (the function has a
+// reference only). Threads: object.
 TSU_API tsu_status tsu_set_evaluate(tsu_set *set, uint32_t material, uint32_t function,
                                     const double *in, double *out);
 

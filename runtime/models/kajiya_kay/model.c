@@ -110,15 +110,17 @@ static void prepare(const void *from, void *to)
     record[5] = (float)y;
     record[6] = (float)z;
 
-    // The body's path and the highlight's integral as lines in the cosine.
+    // The body's path and the highlight's integral as lines in the cosine. The latter is exact at 0,
+    // where a smaller value would make energy, and errs three times as much at 1 as, the other way, at 1/2.
     const double near_path = path_at(p->eta, 0.87), far_path = path_at(p->eta, 0.4);
     const double path_slope = (near_path - far_path) / 0.47;
     record[8] = (float)(TSU_I_LOG2E * path_slope);
     record[9] = (float)(TSU_I_LOG2E * (near_path - 0.87 * path_slope));
-    const double full = highlight_integral(exponent, 1.0);
+    const double least = highlight_integral(exponent, 0.0);
     const double half = highlight_integral(exponent, 0.5);
-    record[10] = (float)((full - half) / 0.5);
-    record[11] = (float)(2.0 * half - full);
+    const double full = highlight_integral(exponent, 1.0);
+    record[10] = (float)((4.0 - 3.0 * least / half - least / full) / (1.5 / half + 1.0 / full));
+    record[11] = (float)least;
     memcpy(record + 12, p->sigma_a, sizeof p->sigma_a);
     record[15] = p->eta;
 }
@@ -144,7 +146,7 @@ static void hair(const void *state, const float *r, const struct tsu_i_texels *t
     const float cos_i = sqrtf(clamp01(1.0f - sin_i * sin_i));
     const float cos_r = sqrtf(clamp01(1.0f - sin_r * sin_r));
     const float sin_s = r[0] * sin_r - r[1] * cos_r, cos_s = r[0] * cos_r + r[1] * sin_r;
-    const float cone = clamp01(cos_i * cos_s - sin_i * sin_s);
+    const float cone = clamp01(cos_i * fabsf(cos_s) - sin_i * sin_s);
     const float reflected = r[5] * exp2f(r[6] * cos_r) + r[4];
     out[1] = exp2f(r[2] * log2f(cone)) * (reflected / (r[10] * fabsf(cos_s) + r[11]));
     out[0] = (cos_i - cos_i * reflected) * exp2f(r[3] - sigma_a * (r[8] * cos_r + r[9]));
@@ -164,12 +166,13 @@ static void hair_params(const double *in, void *to)
 static void hair_reference(const double *in, double *out)
 {
     const double cos_i = fabs(cos(in[0])), cos_r = fabs(cos(in[1])), exponent = 1.0 / (in[6] * in[6]);
-    const double cone = fmax(cos(in[0] + in[1] - in[5]), 0.0);
+    const double shifted = in[1] - in[5];
+    const double cone = cos(in[0]) * fabs(cos(shifted)) - sin(in[0]) * sin(shifted);
     double surface, kept;
     marschner_energy(in[3], fmax(cos_r, 1e-9), in[4], &surface, &kept);
     out[0] = (1.0 - surface) * kept * cos_i / (TSU_I_PI * TSU_I_PI);
-    out[1] = surface * pow(cone, exponent) /
-             highlight_integral(exponent, fabs(cos(in[1] - in[5])));
+    out[1] = surface * pow(fmax(cone, 0.0), exponent) /
+             highlight_integral(exponent, fabs(cos(shifted)));
     out[2] = out[0] + out[1];
 }
 

@@ -30,16 +30,26 @@ static void longitudinal_params(const double *in, void *params)
     p->beta_R = (float)in[2];
 }
 
-static void hair_reference(const double *in, double *out)
+static void hair_with(double (*lobe)(double, double, double), const double *in, double *out)
 {
     double alpha[4], beta[4], n[4];
     tsu_i_marschner_lobes(in[5], in[6], 0, alpha, beta);
     tsu_i_fiber_azimuthal(in[3], in[1], in[4], in[7], in[2], n);
     out[4] = 0.0;
     for (int p = 0; p < 4; p++) {
-        out[p] = n[p] * tsu_i_lobe_deon(in[0], in[1] - alpha[p], beta[p]);
+        out[p] = n[p] * lobe(in[0], in[1] - alpha[p], beta[p]);
         out[4] += out[p];
     }
+}
+
+static void hair_reference(const double *in, double *out)
+{
+    hair_with(tsu_i_lobe_deon, in, out);
+}
+
+static void hair_gaussian(const double *in, double *out)
+{
+    hair_with(tsu_i_lobe_gaussian, in, out);
 }
 
 static void azimuthal_reference(const double *in, double *out)
@@ -50,6 +60,11 @@ static void azimuthal_reference(const double *in, double *out)
 static void longitudinal_reference(const double *in, double *out)
 {
     out[0] = tsu_i_lobe_deon(in[0], in[1], in[2]);
+}
+
+static void longitudinal_gaussian(const double *in, double *out)
+{
+    out[0] = tsu_i_lobe_gaussian(in[0], in[1], in[2]);
 }
 
 #define THETA_I                                                                                   \
@@ -83,30 +98,43 @@ static const tsu_value_info longitudinal_inputs[] = {
 static const tsu_value_info longitudinal_outputs[] = {TSU_I_OUTPUT("M", "1/rad", "d'Eon's lobe")};
 
 #define COUNT(array) (uint32_t)(sizeof(array) / sizeof *(array))
-#define INFO(n, h, in, out)                                                                       \
+#define INFO(n, h, in, out, f)                                                                    \
     {                                                                                             \
-        .struct_size = sizeof(tsu_function_info), .name = n, .help = h, .input_count = COUNT(in), \
+        .struct_size = sizeof(tsu_function_info), .flags = f, .name = n, .help = h, .input_count = COUNT(in), \
         .output_count = COUNT(out)                                                                \
     }
 
 const struct tsu_i_function tsu_i_marschner_functions[MARSCHNER_FUNCTIONS] = {
-    {.info = INFO("hair", "S cos(theta_i) of a fibre, lobe by lobe", hair_inputs, hair_outputs),
+    {.info = INFO("hair", "S cos(theta_i) of a fibre, lobe by lobe", hair_inputs, hair_outputs, 0),
      .inputs = hair_inputs,
      .outputs = hair_outputs,
      .params = hair_params,
      .reference = hair_reference,
      .sampled = tsu_i_marschner_hair},
     {.info = INFO("hair-azimuthal", "N(phi) of the four lobes", azimuthal_inputs,
-                  azimuthal_outputs),
+                  azimuthal_outputs, 0),
      .inputs = azimuthal_inputs,
      .outputs = azimuthal_outputs,
      .params = azimuthal_params,
      .reference = azimuthal_reference,
      .sampled = tsu_i_marschner_azimuthal},
     {.info = INFO("longitudinal", "M of one unshifted lobe", longitudinal_inputs,
-                  longitudinal_outputs),
+                  longitudinal_outputs, 0),
      .inputs = longitudinal_inputs,
      .outputs = longitudinal_outputs,
      .params = longitudinal_params,
      .reference = longitudinal_reference,
-     .sampled = tsu_i_marschner_longitudinal}};
+     .sampled = tsu_i_marschner_longitudinal},
+    {.info = INFO("hair-gaussian", "hair with Marschner's own Gaussian lobe; reference only",
+                  hair_inputs, hair_outputs, TSU_FUNCTION_REFERENCE_ONLY),
+     .inputs = hair_inputs,
+     .outputs = hair_outputs,
+     .params = hair_params,
+     .reference = hair_gaussian},
+    {.info = INFO("longitudinal-gaussian", "Marschner's Gaussian divided by its normaliser; "
+                  "reference only", longitudinal_inputs, longitudinal_outputs,
+                  TSU_FUNCTION_REFERENCE_ONLY),
+     .inputs = longitudinal_inputs,
+     .outputs = longitudinal_outputs,
+     .params = longitudinal_params,
+     .reference = longitudinal_gaussian}};

@@ -35,7 +35,7 @@ void tsu_i_marschner_longitudinal(const void *state, const float *record,
                                   double *out);
 
 // functions.c
-enum { MARSCHNER_FUNCTIONS = 3 };
+enum { MARSCHNER_FUNCTIONS = 5 };
 extern const struct tsu_i_function tsu_i_marschner_functions[MARSCHNER_FUNCTIONS];
 
 #endif

@@ -5,7 +5,7 @@
 // The survey's form is L = k_s cos^n(theta_i - theta_o) with both angles measured from the same end
 // of the tangent, so that the mirror cone is theta_i = theta_o. In tsuya's inclinations the mirror
 // cone is theta_r = -theta_i: cos(theta_i - theta_o) reads cos(theta_i + theta_r - alpha_R), the
-// shift as in Marschner's R.
+// shift as in Marschner's R; a shifted view past a pole comes back on the other side.
 //
 //   value = (1 - k_R) exp(-sigma_a s) cos(theta_i) / pi^2 + k_R cos^n(theta_i + theta_r - alpha_R) / E
 //

@@ -1,0 +1,209 @@
+// What Marschner's model states about its errors, measured again on random materials; and its energy.
+//
+//   marschner_test          a sample, each measured error must not exceed the stated one
+//   marschner_test N        N times as many materials; with TSUYA_LONG set, 12
+#include "sweep.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { HAIR, AZIMUTHAL, LONGITUDINAL };
+static const double pi = 3.14159265358979323846;
+
+static double worst_azimuthal, worst_energy, worst_residual, worst_longitudinal;
+static double worst_furnace_75, worst_furnace_85, worst_hair, worst_hair_residual, worst_reciprocity;
+
+static double larger(double a, double b)
+{
+    return b > a ? b : a;
+}
+
+// R+TT+TRT in units of its peak over phi, lobe energies in units of the total, the residual in units
+// of its peak over phi without absorption. `wide` covers all legal materials.
+static void azimuthal(struct sweep *sweep, int wide)
+{
+    enum { STEPS = 96, SIGMAS = 9 };
+    static const double sigmas[SIGMAS] = {0.0, 0.03, 0.1, 0.25, 0.5, 1.0, 1.7, 2.8, 5.0};
+    const double degree = pi / 180.0;
+    double in[5] = {wide ? sweep_corner(sweep, 1.2, 2.0) : sweep_corner(sweep, 1.3, 1.8), 0, 0,
+                    degree * (wide ? sweep_corner(sweep, 5, 30) : sweep_corner(sweep, 5, 20)), 0};
+    sweep_material(sweep, tsu_marschner(), AZIMUTHAL, in);
+    for (int t = 0; t < 4; t++) {
+        in[1] = degree * sweep_corner(sweep, 0, 85);
+        double white_residual = 0.0;
+        for (int s = 0; s < SIGMAS; s++) {
+            in[2] = s ? sigmas[s] * sweep_between(sweep, 0.7, 1.0) : 0.0;
+            double peak = 0.0, error = 0.0, residual = 0.0, exact[4], table[4];
+            double energy[4] = {0}, difference[4] = {0};
+            const double offset = sweep_between(sweep, 0.0, 1.0);
+            for (int k = 0; k < STEPS; k++) {
+                in[4] = (k + offset) * pi / STEPS;
+                sweep_reference(sweep, tsu_marschner(), AZIMUTHAL, in, exact);
+                sweep_table(sweep, AZIMUTHAL, in, table);
+                const double sum = exact[0] + exact[1] + exact[2];
+                peak = larger(peak, sum);
+                error = larger(error, fabs(table[0] + table[1] + table[2] - sum));
+                residual = larger(residual, fabs(table[3] - exact[3]));
+                if (s == 0)
+                    white_residual = larger(white_residual, exact[3]);
+                for (int p = 0; p < 4; p++) {
+                    energy[p] += exact[p];
+                    difference[p] += table[p] - exact[p];
+                }
+            }
+            const double total = energy[0] + energy[1] + energy[2] + energy[3];
+            worst_azimuthal = larger(worst_azimuthal, error / peak);
+            worst_residual = larger(worst_residual, residual / white_residual);
+            for (int p = 0; p < 4; p++)
+                worst_energy = larger(worst_energy, fabs(difference[p]) / total);
+        }
+    }
+}
+
+static void longitudinal(struct sweep *sweep)
+{
+    double in[3] = {0, 0, sweep_corner(sweep, 2, 30) * pi / 180.0};
+    sweep_material(sweep, tsu_marschner(), LONGITUDINAL, in);
+    for (int t = 0; t < 8; t++) {
+        in[1] = sweep_corner(sweep, -89, 89) * pi / 180.0;
+        double peak = 0.0, error = 0.0;
+        for (int k = 0; k < 400; k++) {
+            double exact, table;
+            in[0] = sweep_degrees(sweep, -89, 89);
+            if (k & 1) // half of them within the lobe
+                in[0] = fmin(fmax(-in[1] + in[2] * sweep_between(sweep, -3, 3), -1.553), 1.553);
+            sweep_reference(sweep, tsu_marschner(), LONGITUDINAL, in, &exact);
+            sweep_table(sweep, LONGITUDINAL, in, &table);
+            peak = larger(peak, exact);
+            error = larger(error, fabs(table - exact));
+        }
+        worst_longitudinal = larger(worst_longitudinal, error / peak);
+    }
+}
+
+static void hair_material(struct sweep *sweep, double *in)
+{
+    const double degree = pi / 180.0;
+    in[3] = sweep_corner(sweep, 1.3, 1.8);
+    in[5] = degree * sweep_corner(sweep, -10, 10);
+    in[6] = degree * sweep_corner(sweep, 5, 20);
+    in[7] = degree * sweep_corner(sweep, 5, 20);
+    sweep_material(sweep, tsu_marschner(), HAIR, in);
+}
+
+// Integral over all light directions of a white fibre, which is 1.
+static void furnace(struct sweep *sweep)
+{
+    enum { THETAS = 512, PHIS = 48 };
+    double in[8] = {0}, out[5];
+    hair_material(sweep, in);
+    for (int t = 0; t < 3; t++) {
+        const double degrees = t < 2 ? sweep_corner(sweep, -75, 75) : sweep_corner(sweep, 75, 85);
+        in[1] = (t == 2 && sweep_between(sweep, 0, 1) < 0.5 ? -degrees : degrees) * pi / 180.0;
+        double sum = 0.0;
+        for (int i = 0; i < THETAS; i++)
+            for (int k = 0; k < PHIS; k++) {
+                in[0] = ((i + 0.5) / THETAS - 0.5) * pi;
+                in[2] = (k + 0.5) / PHIS * pi;
+                sweep_table(sweep, HAIR, in, out);
+                sum += out[4] * cos(in[0]);
+            }
+        const double error = fabs(sum * pi / THETAS * 2.0 * pi / PHIS - 1.0);
+        if (t < 2)
+            worst_furnace_75 = larger(worst_furnace_75, error);
+        else
+            worst_furnace_85 = larger(worst_furnace_85, error);
+    }
+}
+
+// The whole value, with absorption and shifts, in units of its peak over the light directions.
+static void hair(struct sweep *sweep)
+{
+    double in[8] = {0}, exact[5], table[5];
+    hair_material(sweep, in);
+    for (int t = 0; t < 3; t++) {
+        in[1] = sweep_degrees(sweep, -75, 75);
+        in[4] = t ? sweep_between(sweep, 0, 3) : 0.0;
+        double peak = 0.0, error = 0.0, residual_peak = 0.0, residual = 0.0;
+        for (int k = 0; k < 600; k++) {
+            in[0] = -in[1] + in[6] * sweep_between(sweep, -5, 5);
+            in[0] = fmin(fmax(in[0], -0.4999 * pi), 0.4999 * pi);
+            in[2] = sweep_between(sweep, 0, pi);
+            sweep_reference(sweep, tsu_marschner(), HAIR, in, exact);
+            sweep_table(sweep, HAIR, in, table);
+            peak = larger(peak, exact[4]);
+            error = larger(error, fabs(table[4] - exact[4]));
+            residual_peak = larger(residual_peak, exact[3]);
+            residual = larger(residual, fabs(table[3] - exact[3]));
+        }
+        worst_hair = larger(worst_hair, error / peak);
+        if (t == 0)
+            worst_hair_residual = larger(worst_hair_residual, residual / residual_peak);
+    }
+}
+
+// Light and view exchanged, default shift: |S(i, r) - S(r, i)| in units of the peak, without pigment.
+static void reciprocity(struct sweep *sweep)
+{
+    double in[8] = {0, 0, 0, 1.55, 0, -7.5 * pi / 180, 7.5 * pi / 180, 10 * pi / 180}, a[5], b[5];
+    double peak = 0.0, error = 0.0;
+    for (int k = 0; k < 4000; k++) {
+        in[0] = sweep_degrees(sweep, -75, 75);
+        in[1] = fmin(fmax(-in[0] + sweep_degrees(sweep, -30, 30), -1.309), 1.309);
+        in[2] = sweep_between(sweep, 0, pi);
+        sweep_reference(sweep, tsu_marschner(), HAIR, in, a);
+        const double swapped[8] = {in[1], in[0], in[2], in[3], in[4], in[5], in[6], in[7]};
+        sweep_reference(sweep, tsu_marschner(), HAIR, swapped, b);
+        const double s = a[4] / cos(in[0]), r = b[4] / cos(in[1]);
+        peak = larger(peak, s);
+        error = larger(error, fabs(s - r));
+    }
+    worst_reciprocity = error / peak;
+}
+
+static int report(const char *name, double measured, double bound)
+{
+    const double stated = sweep_stated(tsu_marschner(), name);
+    const int fine = measured <= stated && (bound <= 0.0 || stated <= bound);
+    printf("%-22s measured %.5f  stated %.5f", name, measured, stated);
+    if (bound > 0.0)
+        printf("  bound %.3f", bound);
+    printf("%s\n", fine ? "" : "  <-- too large");
+    return fine;
+}
+
+int main(int argc, char **argv)
+{
+    const int scale = argc > 1 ? atoi(argv[1]) : getenv("TSUYA_LONG") ? 12 : 1;
+    struct sweep sweep;
+    sweep_open(&sweep, 20240917);
+    for (int i = 0; i < 24 * scale; i++)
+        azimuthal(&sweep, 0);
+    const double narrow = worst_azimuthal, narrow_energy = worst_energy;
+    const double narrow_residual = worst_residual;
+    for (int i = 0; i < 12 * scale; i++)
+        azimuthal(&sweep, 1);
+    for (int i = 0; i < 40 * scale; i++)
+        longitudinal(&sweep);
+    for (int i = 0; i < 20 * scale; i++)
+        furnace(&sweep);
+    for (int i = 0; i < 30 * scale; i++)
+        hair(&sweep);
+    reciprocity(&sweep);
+    sweep_close(&sweep);
+
+    int fine = report("azimuthal", narrow, 0.005);
+    fine &= report("azimuthal_energy", narrow_energy, 0.005);
+    fine &= report("residual", narrow_residual, -1);
+    fine &= report("azimuthal_all", worst_azimuthal, -1);
+    fine &= report("azimuthal_energy_all", worst_energy, -1);
+    fine &= report("residual_all", worst_residual, -1);
+    fine &= report("longitudinal", worst_longitudinal, 0.005);
+    fine &= report("furnace_75", worst_furnace_75, 0.005);
+    fine &= report("furnace_85", worst_furnace_85, 0.02);
+    fine &= report("hair", worst_hair, -1);
+    fine &= report("hair_residual", worst_hair_residual, -1);
+    fine &= report("reciprocity", worst_reciprocity, -1);
+    return fine ? 0 : 1;
+}
