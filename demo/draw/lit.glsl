@@ -8,14 +8,19 @@ uniform float u_variation; // deviation of ln(sigma_a) from strand to strand
 // Light that hair has dimmed to less than this share is left out.
 const float FAINT = 1e-3;
 
+vec3 strand_sigma_a(float seed)
+{
+    // Uniform with deviation 1.
+    float chance = 1.7320508 * (2.0 * seed - 1.0);
+    return u_sigma_a * exp(u_variation * chance);
+}
+
 //   t, v      unit: tangent from root to tip, towards the viewer
 //   position  world
 //   seed      of the strand, [0, 1)
 vec3 lit(vec3 t, vec3 v, vec3 position, float seed)
 {
-    // Uniform with deviation 1.
-    float chance = 1.7320508 * (2.0 * seed - 1.0);
-    vec3 sigma_a = u_sigma_a * exp(u_variation * chance);
+    vec3 sigma_a = strand_sigma_a(seed);
     vec3 place = grid_place(position);
     vec3 sum = vec3(0.0);
     for (int k = u_groups_begin; k < u_groups_end; k++) {

@@ -214,6 +214,7 @@ void Renderer::sky(const Frame &frame)
     program.set("u_eye", frame.eye);
     program.set("u_sigma_a", frame.sigma_a);
     program.set("u_variation", frame.variation);
+    program.set("u_samples", frame.sky_samples);
     strands_->bind();
     gl_.BindVertexArray(empty_);
     gl_.DrawArrays(GL_TRIANGLES, 0, 3);

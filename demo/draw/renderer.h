@@ -34,10 +34,12 @@ struct Frame {
     glm::vec3 eye{0.0f};       // in the world
     float near = 0.01f;        // segments nearer than that are left out
     std::vector<Light> lights; // evaluated in each pixel; at most lights_most
-    std::vector<Light> sky;    // evaluated in each point of a strand; at most sky_most
+    std::vector<Light> sky;    // a uniform sky, evaluated in each point of a strand; at most
+                               // sky_most directions, in which its shadow is looked up
     glm::vec3 background{0.0f};
     glm::vec3 skin{0.5f, 0.36f, 0.29f}; // albedo of the head
     bool head = true;
+    int sky_samples = 24;     // of the model over the sphere, in each point of a strand, >= 1
     bool shadow = true;       // dim each light by the hair in its way
     glm::vec3 loss{1.0f};     // share of light that one fibre takes out of the way, [0, 1]
     glm::vec3 sigma_a{0.0f};  // absorption per fibre radius

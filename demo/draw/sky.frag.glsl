@@ -1,16 +1,49 @@
 // The sky's radiance off every point of every strand, one pixel a point. A sky is smooth, so that
 // a ribbon may take it between its points, at a fraction of the cost for each pixel.
+//
+// Deep in hair the sky's light has been scattered often and comes from all sides alike: the radiance
+// around a point is the mean over directions of what the hair lets through, and the model is
+// integrated over the whole sphere. Models of equal albedo are therefore equally bright in it.
 
 uniform highp sampler2D u_points;
 uniform highp sampler2D u_strands;
 uniform mat4 u_model;
 uniform vec3 u_eye;
+uniform int u_samples;
 out vec4 o_color;
+
+// Spread of the samples around the mirror cone, radians: between the widths of narrow and wide lobes.
+const float SPREAD = 0.2;
 
 vec3 world(ivec2 size, int index)
 {
     vec4 point = texelFetch(u_points, ivec2(index % size.x, index / size.x), 0);
     return (u_model * vec4(point.xyz, 1.0)).xyz;
+}
+
+// Integral of the model over all light directions. Inclinations follow a Cauchy density around the
+// mirror cone, azimuths are uniform, both by a low-discrepancy sequence (Roberts 2018, "The
+// Unreasonable Effectiveness of Quasirandom Sequences") that starts elsewhere in each point.
+vec3 albedo(vec3 t, vec3 v, vec3 sigma_a, vec2 start)
+{
+    float sin_r = clamp(dot(t, v), -1.0, 1.0);
+    vec3 u = v - t * sin_r;
+    u = dot(u, u) > 1e-8 ? normalize(u) : normalize(cross(t, vec3(0.31, 0.87, 0.38)));
+    vec3 w = cross(t, u);
+    float centre = -asin(sin_r);
+    float low = atan((-1.57079633 - centre) / SPREAD);
+    float high = atan((1.57079633 - centre) / SPREAD);
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < u_samples; i++) {
+        vec2 at = fract(start + float(i) * vec2(0.7548776662, 0.5698402910));
+        float x = tan(mix(low, high, at.x));
+        float theta = centre + SPREAD * x;
+        float phi = 6.28318531 * at.y;
+        vec3 l = t * sin(theta) + cos(theta) * (u * cos(phi) + w * sin(phi));
+        float density = 1.0 / ((high - low) * SPREAD * (1.0 + x * x) * 6.28318531);
+        sum += HAIR(t, l, v, sigma_a) * (max(cos(theta), 0.0) / density);
+    }
+    return sum / float(u_samples);
 }
 
 void main()
@@ -26,5 +59,17 @@ void main()
     vec3 before = strand.x <= 0.0 ? here : world(size, index - 1);
     vec3 after = strand.y <= 0.0 ? here : world(size, index + 1);
     vec3 t = normalize(after - before);
-    o_color = vec4(lit(t, normalize(u_eye - here), here, strand.z), 1.0);
+
+    vec3 place_in_grid = grid_place(here);
+    vec3 irradiance = vec3(0.0);
+    for (int k = u_groups_begin; k < u_groups_end; k++) {
+        vec4 count = fibres(place_in_grid, k);
+        for (int i = 0; i < 4; i++) {
+            irradiance += exp(-u_loss * count[i]) * u_light_color[4 * k + i];
+        }
+    }
+    vec2 start = fract(vec2(float(index % 8191) * 0.61803399, float(index % 8179) * 0.41421356) +
+                       strand.z);
+    vec3 scattered = albedo(t, normalize(u_eye - here), strand_sigma_a(strand.z), start);
+    o_color = vec4(irradiance / 12.5663706 * scattered, 1.0);
 }

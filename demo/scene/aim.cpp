@@ -18,6 +18,8 @@ glm::dvec3 toward(double azimuth, double elevation)
     return {std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e)};
 }
 
+constexpr int sky_directions = 20; // of the sky's shadow
+
 struct RigLight {
     const char *rig;
     double azimuth, elevation, irradiance;
@@ -93,7 +95,7 @@ std::vector<draw::Light> sky(const Scene &scene)
     if (scene.dome <= 0.0) {
         return {};
     }
-    return draw::sky(glm::vec3(scene.dome_color * scene.dome), scene.dome_lights);
+    return draw::sky(glm::vec3(scene.dome_color * scene.dome), sky_directions);
 }
 
 void aim(const Scene &scene, const Hair &hair, bool turntable, draw::Frame &frame)

@@ -205,6 +205,7 @@ draw::Frame frame(const Scene &scene, const Hair &hair, const Material &material
     frame.supersample = scene.supersample;
     frame.lights = lights(scene);
     frame.sky = sky(scene);
+    frame.sky_samples = scene.dome_samples;
     frame.background = glm::vec3(scene.background);
     frame.head = scene.head == "auto";
     frame.shadow = scene.shadow == "grid";

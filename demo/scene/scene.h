@@ -64,7 +64,7 @@ struct Scene {
     std::map<int, SceneLight> lights;
     double dome = 0.5;
     glm::dvec3 dome_color{1.0};
-    int dome_lights = 20;
+    int dome_samples = 24;
     std::string shadow = "grid";
 
     double camera_azimuth = 25.0; // degrees, like all angles of the camera

@@ -29,7 +29,7 @@ def help_texts():
     everything = output('--help')
     for name in COMMANDS:
         expect(name in everything, f'{name} is not in --help')
-    for name in ('models', 'glsl', 'bake', 'eval'):
+    for name in COMMANDS:
         said = output(name, '--help')
         expect('usage: tsuya ' + name in said and 'examples:' in said, said)
     expect(output('--version').startswith('tsuya '), 'no version')
