@@ -197,5 +197,9 @@ int command_eval(int argc, char **argv)
                        question.function, error)) {
         return complain("eval", error, exit_bad_input);
     }
+    if (question.function.reference_only && on != "reference") {
+        error = "function " + question.function.name + " has a reference only; use --on reference.";
+        return complain("eval", error, exit_bad_input);
+    }
     return eval(arguments, question);
 }

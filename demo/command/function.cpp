@@ -33,6 +33,7 @@ Function function_of(const tsu_model *model, std::uint32_t index)
     tsu_function_info_init(&info);
     tsu_model_function(model, index, &info);
     function.name = info.name;
+    function.reference_only = (info.flags & TSU_FUNCTION_REFERENCE_ONLY) != 0;
     for (std::uint32_t i = 0; i < info.input_count; i++) {
         tsu_value_info value;
         tsu_value_info_init(&value);

@@ -29,6 +29,7 @@ struct Function {
     const tsu_model *model = nullptr;
     std::uint32_t index = 0;
     std::string name;
+    bool reference_only = false; // neither in the tables nor in the shader
     std::vector<Value> inputs, outputs;
 };
 

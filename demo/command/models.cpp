@@ -119,6 +119,12 @@ void functions_json(Json &json, const tsu_model *model, const tsu_model_info &in
         tsu_function_info_init(&f);
         tsu_model_function(model, i, &f);
         json.open('{').field("name", f.name).field("help", f.help);
+        const bool only = (f.flags & TSU_FUNCTION_REFERENCE_ONLY) != 0;
+        json.key("on").open('[').value("reference");
+        if (!only) {
+            json.value("cpu").value("gpu");
+        }
+        json.close();
         json.key("inputs").open('[');
         for (std::uint32_t k = 0; k < f.input_count; k++) {
             tsu_value_info value;

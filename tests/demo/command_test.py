@@ -46,7 +46,9 @@ def unknown_words_are_errors_with_a_suggestion():
     refused(['eval', 'hair'], None, '--on is missing')
     refused(['eval', 'hair', '--on', 'cpu', '--on', 'gpu'], None, 'twice')
     refused(['eval', 'hair', '--on', 'cpu', '--model', 'marshner'], None, 'did you mean marschner')
-    refused(['eval', 'hair', '--on', 'cpu', '--variant', 'x'], None, 'no variant "x"')
+    refused(['eval', 'hair', '--on', 'cpu', '--variant', 'x'], None, 'no variant "x"', 'gaussian')
+    for on in ('cpu', 'gpu'):
+        refused(['eval', 'hair', '--on', on, '--variant', 'gaussian'], None, 'reference only')
     refused(['glsl', 'marschner'], None, '--target is missing')
     refused(['glsl', 'marschner', '--target', '460'], None, '450')
     refused(['glsl', 'marschner,', '--target', '450'], None, 'no model ""')
