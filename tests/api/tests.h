@@ -1,0 +1,11 @@
+// Groups of tests of the tier without GL.
+#ifndef TSUYA_TESTS_API_TESTS_H
+#define TSUYA_TESTS_API_TESTS_H
+
+int schema_tests(void);
+int input_tests(void);
+int model_tests(void);
+int null_tests(void);
+int color_tests(void);
+
+#endif
