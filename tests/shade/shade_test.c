@@ -1,0 +1,6 @@
+#include "ask_shader.h"
+
+int main(void)
+{
+    return text_tests() + read_tests() + compile_tests() != 0;
+}
