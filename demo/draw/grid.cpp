@@ -66,9 +66,9 @@ void Grid::fill(const groom::Groom &groom, const Solid &solid, float width_scale
         for (int y = 0; y < size_.y; y++) {
             for (int x = 0; x < size_.x; x++) {
                 const glm::vec3 p = corner_ + cell_ * (glm::vec3(x, y, z) + 0.5f);
-                // A cell inside the surface, or hair that lies on it would be in its shadow.
+                // Well inside the surface, or hair that lies on it would be in its shadow.
                 const glm::vec3 q = (p - solid.centre) /
-                                    glm::max(solid.semi_axes - 1.5f * cell_, glm::vec3(1e-6f));
+                                    glm::max(solid.semi_axes - 3.0f * cell_, glm::vec3(1e-6f));
                 if (glm::dot(q, q) < 1.0f) {
                     density_[index(x, y, z)] += opaque / cell_;
                 }

@@ -37,7 +37,7 @@ struct Frame {
     std::vector<Light> sky;    // a uniform sky, evaluated in each point of a strand; at most
                                // sky_most directions, in which its shadow is looked up
     glm::vec3 background{0.0f};
-    glm::vec3 skin{0.5f, 0.36f, 0.29f}; // albedo of the head
+    glm::vec3 skin{0.32f, 0.22f, 0.17f}; // albedo of the head
     bool head = true;
     int sky_samples = 24;     // of the model over the sphere, in each point of a strand, >= 1
     bool shadow = true;       // dim each light by the hair in its way

@@ -37,12 +37,13 @@ Expected<Material> material(const Scene &scene);
 
 // Lights of a scene: those of its rig and its own.
 //
-// Rigs, by direction (azimuth, elevation from the front) and irradiance for the default dome of 0.5:
-//   key    (40, 35) 3.0 and a rim (200, 25) 3.0     front  (10, 20) 3.0
-//   side   (85, 15) 3.0                             back   (165, 25) 4.0
+// Rigs, by azimuth and elevation in degrees and irradiance, beside the default dome of radiance 1.5:
+//   key    (47, 36) 1.0 and a rim (202, 26) 3.0     front  (10, 20) 2.0
+//   side   (95, 20) 3.0                             back   (195, 20) 6.0
 // A single light shows two models differently even when they scatter the same energy in all, since
-// each sends it another way: Marschner's fibre sends most of it on, away from the light. Rim and dome
-// of the default make up for what the key loses, which is why the mean of a picture stays.
+// each sends it another way: Marschner's fibre sends most of it on, away from the light. In the
+// default rig the rim returns what the key loses and the dome, in which models of equal albedo are
+// equal, carries most of the light, so that the mean of the hair stays when the model changes.
 std::vector<draw::Light> lights(const Scene &scene);
 // The scene's dome as lights; none when it is dark.
 std::vector<draw::Light> sky(const Scene &scene);

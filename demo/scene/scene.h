@@ -62,7 +62,7 @@ struct Scene {
 
     std::string light = "key"; // rig
     std::map<int, SceneLight> lights;
-    double dome = 0.5;
+    double dome = 1.5;
     glm::dvec3 dome_color{1.0};
     int dome_samples = 24;
     std::string shadow = "grid";
