@@ -14,6 +14,11 @@ static int same_key(const struct tsu_i_pool_table *table, const struct tsu_i_tab
                   (const char *)state + definition->key_offset, definition->key_size) == 0;
 }
 
+static void touch(struct tsu_i_pool *pool, struct tsu_i_pool_table *table)
+{
+    table->generation = pool->texture_generation = ++*pool->generation;
+}
+
 // Give the image the atlas's size; rows move, texel coordinates stay.
 static tsu_status grow_image(struct tsu_i_pool *pool)
 {
@@ -77,7 +82,10 @@ tsu_status tsu_i_pool_take(struct tsu_i_pool *pool, const struct tsu_i_table *de
     struct tsu_i_pool_table *t = pool->tables + entry;
     *t = (struct tsu_i_pool_table){.definition = definition, .users = 1, .x = x, .y = y};
     memcpy(t->state, state, sizeof t->state);
-    t->generation = ++*pool->generation;
+    for (uint32_t row = 0; row < definition->info.height; row++)
+        memset(pool->texels + ((size_t)(y + row) * pool->width + x) * 4, 0,
+               (size_t)definition->info.width * 8);
+    touch(pool, t);
     pool->live++;
     pool->stale++;
     *table = entry;
@@ -139,7 +147,7 @@ static void finish(const struct bake *bake, uint32_t i)
     }
     t->baked = 1;
     pool->stale--;
-    t->generation = ++*pool->generation;
+    touch(pool, t);
 }
 
 static size_t floats(const struct tsu_i_pool *pool, uint32_t table)

@@ -22,7 +22,7 @@ struct tsu_i_pool {
     uint32_t live, stale; // tables in use, and those of them that wait for a bake
     uint16_t *texels; // atlas.width * atlas.height RGBA16F
     uint32_t width, height;
-    uint64_t texture_generation; // last change of size
+    uint64_t texture_generation; // last change of size or of a texel
     uint64_t *generation;        // the set's counter
 };
 

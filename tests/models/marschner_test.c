@@ -11,7 +11,7 @@
 enum { HAIR, AZIMUTHAL, LONGITUDINAL };
 static const double pi = 3.14159265358979323846;
 
-static double worst_azimuthal, worst_energy, worst_residual, worst_longitudinal;
+static double worst_azimuthal, worst_energy, worst_residual, worst_absorbed, worst_longitudinal;
 static double worst_furnace_75, worst_furnace_85, worst_hair, worst_hair_residual, worst_reciprocity;
 
 static double larger(double a, double b)
@@ -34,7 +34,8 @@ static void azimuthal(struct sweep *sweep, int wide)
         double white_residual = 0.0;
         for (int s = 0; s < SIGMAS; s++) {
             in[2] = s ? sigmas[s] * sweep_between(sweep, 0.7, 1.0) : 0.0;
-            double peak = 0.0, error = 0.0, residual = 0.0, exact[4], table[4];
+            double peak = 0.0, error = 0.0, residual = 0.0, residual_peak = 0.0;
+            double exact[4], table[4];
             double energy[4] = {0}, difference[4] = {0};
             const double offset = sweep_between(sweep, 0.0, 1.0);
             for (int k = 0; k < STEPS; k++) {
@@ -45,13 +46,16 @@ static void azimuthal(struct sweep *sweep, int wide)
                 peak = larger(peak, sum);
                 error = larger(error, fabs(table[0] + table[1] + table[2] - sum));
                 residual = larger(residual, fabs(table[3] - exact[3]));
-                if (s == 0)
-                    white_residual = larger(white_residual, exact[3]);
+                residual_peak = larger(residual_peak, exact[3]);
                 for (int p = 0; p < 4; p++) {
                     energy[p] += exact[p];
                     difference[p] += table[p] - exact[p];
                 }
             }
+            if (s == 0)
+                white_residual = residual_peak;
+            if (!wide && in[1] <= 75.0 * degree && in[2] <= 0.2)
+                worst_absorbed = larger(worst_absorbed, residual / residual_peak);
             const double total = energy[0] + energy[1] + energy[2] + energy[3];
             worst_azimuthal = larger(worst_azimuthal, error / peak);
             worst_residual = larger(worst_residual, residual / white_residual);
@@ -196,6 +200,7 @@ int main(int argc, char **argv)
     int fine = report("azimuthal", narrow, 0.005);
     fine &= report("azimuthal_energy", narrow_energy, 0.005);
     fine &= report("residual", narrow_residual, -1);
+    fine &= report("residual_absorbed", worst_absorbed, -1);
     fine &= report("azimuthal_all", worst_azimuthal, -1);
     fine &= report("azimuthal_energy_all", worst_energy, -1);
     fine &= report("residual_all", worst_residual, -1);

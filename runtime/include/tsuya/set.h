@@ -71,7 +71,7 @@ typedef struct tsu_set_info {
     uint32_t stale_count;        // tables that tsu_set_bake() would bake
     uint32_t width, height;      // of the texture, texels; 0 before the first table
     uint64_t generation;         // grows with every change; one counter for all that changes
-    uint64_t texture_generation; // when the texture last changed its size
+    uint64_t texture_generation; // when the texture last changed, size or texels
     uint64_t id;                 // of the set: no other set of this context has or had it
 } tsu_set_info;
 #define tsu_set_info_init(info) tsu_info_init_sized((info), sizeof *(info))

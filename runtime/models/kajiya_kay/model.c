@@ -184,7 +184,7 @@ static const tsu_value_info hair_inputs[] = {
     TSU_I_FRAGMENT("phi", "rad", "azimuth of the view from the light's; no part in this model", -1e6,
                    1e6, 0),
     TSU_I_MATERIAL("eta", "1", "refractive index", 1.2, 2, 1.55),
-    TSU_I_FRAGMENT("sigma_a", "1/radius", "absorption", 0, 1e6, 0),
+    TSU_I_FRAGMENT("sigma_a", "1/radius", "absorption of one channel", 0, 1e6, 0.9061),
     TSU_I_MATERIAL("alpha_R", "rad", "shift of the highlight", TSU_I_DEGREES(-20),
                    TSU_I_DEGREES(20), TSU_I_DEGREES(-7.5)),
     TSU_I_MATERIAL("beta_R", "rad", "deviation of the highlight", TSU_I_DEGREES(2),

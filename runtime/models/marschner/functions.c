@@ -75,7 +75,7 @@ static void longitudinal_gaussian(const double *in, double *out)
 #define ETA TSU_I_MATERIAL("eta", "1", "refractive index", 1.2, 2, 1.55)
 #define BETA_AZ                                                                                   \
     TSU_I_MATERIAL("beta_az", "rad", "azimuthal deviation", TSU_I_DEGREES(5), TSU_I_DEGREES(30), TSU_I_DEGREES(10))
-#define SIGMA_A TSU_I_FRAGMENT("sigma_a", "1/radius", "absorption", 0, 1e6, 0)
+#define SIGMA_A TSU_I_FRAGMENT("sigma_a", "1/radius", "absorption of one channel", 0, 1e6, 0.9061)
 
 static const tsu_value_info hair_inputs[] = {
     THETA_I, THETA_R, PHI, ETA, SIGMA_A,

@@ -61,8 +61,7 @@ static const struct tsu_i_table tables[] = {
      .finish = tsu_i_marschner_finish}};
 
 static const struct tsu_i_measure measures[] = {
-    {"azimuthal R+TT+TRT", tsu_i_marschner_worst},
-    {"azimuthal residual", tsu_i_marschner_worst_residual}};
+    {"azimuthal_all", tsu_i_marschner_worst}, {"residual_all", tsu_i_marschner_worst_residual}};
 
 static const char *const snippets[] = {"marschner/longitudinal.glsl", "marschner/azimuthal.glsl",
                                        "marschner/eval.glsl", NULL};

@@ -16,7 +16,14 @@
 #include <math.h>
 #include <string.h>
 
-enum { PANELS = 6, RAYS = PANELS * TSU_I_QUADRATURE_PANEL, WIDTH = MARSCHNER_WIDTH };
+enum { BINS = 256, PANELS = 6, RAYS = PANELS * TSU_I_QUADRATURE_PANEL, WIDTH = MARSCHNER_WIDTH };
+
+// Panels over gamma_i: neighbouring rays of p = 3, the fastest in phi, leave within about beta.
+static int panels_for(float beta)
+{
+    const int panels = (int)ceilf(0.52f / beta);
+    return panels < 2 ? 2 : panels > PANELS ? PANELS : panels;
+}
 
 static const double tt_sigma[2] = {0.5, 2.0};
 static const double trt_sigma = 0.5;
@@ -24,9 +31,10 @@ static const double trt_sigma = 0.5;
 // would err by 4 % of its peak. These are in units of the row's mean path; they leave 1.8 %.
 static const double res_sigma[2] = {0.14, 1.45};
 
-// Images of the exit azimuth on the circle, folded by symmetry: phi, -phi and 2 pi - phi.
+// What all rays of a row share.
 struct spread {
-    float phi[WIDTH];
+    float phi[WIDTH];             // of the columns, radians
+    unsigned char column[BINS + 1]; // last column at or before phi = bin pi/BINS
     float beta;
 };
 
@@ -45,12 +53,18 @@ static float exp_minus(float x)
     return p * scale;
 }
 
-// Column before the one where phi lies, clamped.
-static int column(double phi)
+static void prepare_columns(struct spread *s, float beta)
 {
-    const double x = 1.41421356237309505 * sin(0.5 * phi - 0.25 * TSU_I_PI);
-    const int i = (int)floor(0.5 * (x + 1.0) * (WIDTH - 1));
-    return i < 0 ? 0 : i > WIDTH - 1 ? WIDTH - 1 : i;
+    int column = 0;
+    for (int i = 0; i < WIDTH; i++)
+        s->phi[i] = (float)(0.5 * TSU_I_PI +
+                            2.0 * asin((-1.0 + 2.0 * i / (WIDTH - 1)) * 0.707106781186547524));
+    for (int bin = 0; bin <= BINS; bin++) {
+        while (column < WIDTH - 1 && s->phi[column + 1] <= (float)(bin * TSU_I_PI / BINS))
+            column++;
+        s->column[bin] = (unsigned char)column;
+    }
+    s->beta = beta;
 }
 
 // Add one image of a Gaussian at `centre` with `count` weights to as many rows of `sums`.
@@ -60,8 +74,10 @@ static void deposit(const struct spread *s, double centre, int count, const floa
     const double reach = 5.5 * s->beta;
     if (centre + reach < 0.0 || centre - reach > TSU_I_PI)
         return;
-    const int first = centre - reach <= 0.0 ? 0 : column(centre - reach);
-    const int last = centre + reach >= TSU_I_PI ? WIDTH - 1 : column(centre + reach);
+    const double to_bin = BINS / TSU_I_PI;
+    const int low = (int)fmax((centre - reach) * to_bin, 0.0);
+    const int high = (int)fmin((centre + reach) * to_bin, BINS - 1) + 1;
+    const int first = s->column[low], last = s->column[high];
     float g[WIDTH];
     const float c = (float)centre, scale = 1.0f / s->beta;
     for (int i = first; i <= last; i++) {
@@ -103,10 +119,9 @@ struct row {
 static void scatter(const struct marschner_state *state, uint32_t band_row, struct row *row)
 {
     struct spread spread;
-    for (int i = 0; i < WIDTH; i++)
-        spread.phi[i] = (float)(0.5 * TSU_I_PI +
-                                2.0 * asin((-1.0 + 2.0 * i / (WIDTH - 1)) * 0.707106781186547524));
-    spread.beta = state->beta_az;
+    struct tsu_i_ray rays[RAYS];
+    const int panels = panels_for(state->beta_az), count = panels * TSU_I_QUADRATURE_PANEL;
+    prepare_columns(&spread, state->beta_az);
 
     // Row 0 is the limit of grazing view: everything is reflected.
     const double cos_theta = fmax((double)band_row / (MARSCHNER_BAND - 1), 1e-4);
@@ -114,16 +129,16 @@ static void scatter(const struct marschner_state *state, uint32_t band_row, stru
     double sums[4][3] = {{0}}, rest[2] = {0};
     memset(row, 0, sizeof *row);
     double length = 0.0, weight = 0.0;
-    for (int i = 0; i < RAYS; i++) {
-        const struct tsu_i_ray ray = tsu_i_fiber_ray(state->eta, cos_theta, PANELS, i);
-        const double f = ray.fresnel, one = ray.weight * (1.0 - f) * f * f;
+    for (int i = 0; i < count; i++) {
+        rays[i] = tsu_i_fiber_ray(state->eta, cos_theta, panels, i);
+        const double f = rays[i].fresnel, one = rays[i].weight * (1.0 - f) * f * f;
         weight += one;
-        length += one * (3.0 + f / (1.0 - f)) * ray.segment;
+        length += one * (3.0 + f / (1.0 - f)) * rays[i].segment;
     }
     for (int k = 0; k < 2; k++)
         row->res_sigma[k] = res_sigma[k] * fmax(weight / length, 1.0 / LONGEST);
-    for (int i = 0; i < RAYS; i++) {
-        const struct tsu_i_ray ray = tsu_i_fiber_ray(state->eta, cos_theta, PANELS, i);
+    for (int i = 0; i < count; i++) {
+        const struct tsu_i_ray ray = rays[i];
         const double f = ray.fresnel, through = ray.weight * (1.0 - f) * (1.0 - f);
         const double half = 0.5 * norm;
         const double t1 = exp(-tt_sigma[0] * ray.segment), t2 = exp(-tt_sigma[1] * ray.segment);
@@ -209,8 +224,8 @@ void tsu_i_marschner_finish(float *texels)
     }
 }
 
-// Largest error over phi (between the columns), in units of the lobe sum's or the residual's peak, at
-// theta_r between the rows and a spread of absorptions.
+// Largest error over phi (between the columns) at theta_r between the rows and a spread of absorptions:
+// of R+TT+TRT in units of their peak, of the residual in units of its peak without absorption.
 static double worst(const void *opaque, const struct tsu_i_texels *tables, int residual)
 {
     static const double sigmas[] = {0.0, 0.1, 0.3, 0.7, 1.2, 2.0, 3.2, 5.0};
@@ -218,20 +233,24 @@ static double worst(const void *opaque, const struct tsu_i_texels *tables, int r
     double largest = 0.0;
     for (int row = 5; row < MARSCHNER_BAND - 1; row += 3) {
         const double cos_theta = (row + 0.5) / (MARSCHNER_BAND - 1);
+        double peak = 0.0;
         for (size_t s = 0; s < sizeof sigmas / sizeof *sigmas; s++) {
-            double peak = 0.0, error = 0.0;
+            const double sigma_a = residual ? 0.1 * sigmas[s] : sigmas[s];
+            double error = 0.0;
+            if (!residual)
+                peak = 0.0;
             for (int i = 0; i < 96; i++) {
                 const double phi = (i + 0.37) / 96.0 * TSU_I_PI, half = cos(0.5 * phi);
                 double exact[4];
                 float table[4];
-                tsu_i_fiber_azimuthal(state->eta, acos(cos_theta), residual ? 0.1 * sigmas[s] : sigmas[s],
-                                      state->beta_az, phi, exact);
+                tsu_i_fiber_azimuthal(state->eta, acos(cos_theta), sigma_a, state->beta_az, phi,
+                                      exact);
                 tsu_i_marschner_sample(tables, (float)cos_theta, (float)(half * half),
-                                       (float)(residual ? 0.1 * sigmas[s] : sigmas[s]), table);
+                                       (float)sigma_a, table);
                 const double sum = exact[0] + exact[1] + exact[2];
+                const double sampled = (double)table[0] + (double)table[1] + (double)table[2];
                 peak = fmax(peak, residual ? exact[3] : sum);
-                error = fmax(error, residual ? fabs(table[3] - exact[3])
-                                             : fabs(table[0] + table[1] + table[2] - sum));
+                error = fmax(error, residual ? fabs(table[3] - exact[3]) : fabs(sampled - sum));
             }
             largest = fmax(largest, error / peak);
         }
