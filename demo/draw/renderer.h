@@ -32,6 +32,7 @@ struct Frame {
     glm::mat4 view{1.0f};          // world to eye
     glm::mat4 projection{1.0f};
     glm::vec3 eye{0.0f};       // in the world
+    float distance = 1.0f;     // from the eye to what it looks at
     float near = 0.01f;        // segments nearer than that are left out
     std::vector<Light> lights; // evaluated in each pixel; at most lights_most
     std::vector<Light> sky;    // a uniform sky, evaluated in each point of a strand; at most
@@ -82,12 +83,16 @@ class Renderer
     // The same for a screen: exposure (a factor), film curve or a plain cut at 1, linear in [0, 1]
     // without alpha; the sRGB curve is left to the file's writer.
     Picture shown(float exposure, bool filmic);
-    // The same again onto the framebuffer that is bound, with the sRGB curve, lower left corner.
-    void show(float exposure, bool filmic);
+    // The same again onto the window's framebuffer, with the sRGB curve.
+    void present(float exposure, bool filmic);
+    // Wait for the GPU.
+    void finish() const;
 
     // Strands that touch the picture's pixels and are not behind the head. Hair does not count as
     // hiding hair, being translucent: strands found in an identity pass are taken away and the rest
-    // is drawn again until no more appear.
+    // is drawn again, until a pass finds less than a thousandth of all or after 12 passes. Each
+    // strand counted has reached the picture; in hair some 20 strands deep nearly all that have are
+    // counted.
     std::size_t reached(const Frame &frame);
 
     const Shading &shading() const

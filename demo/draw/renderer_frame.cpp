@@ -96,8 +96,14 @@ Picture Renderer::shown(float exposure, bool filmic)
     return {shown_->width(), shown_->height(), shown_->read()};
 }
 
-void Renderer::show(float exposure, bool filmic)
+void Renderer::finish() const
 {
+    gl_.Finish();
+}
+
+void Renderer::present(float exposure, bool filmic)
+{
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
     gl_.Viewport(0, 0, resolved_->width(), resolved_->height());
     display(gl_, display_, resolved_->texture(), empty_, exposure, filmic, true);
 }
@@ -110,8 +116,8 @@ std::size_t Renderer::reached(const Frame &frame)
     }
     shadows(frame);
     std::vector<char> missing(strands_->strands(), 1);
-    std::size_t found = 0;
-    for (std::size_t more = 1; more > 0;) {
+    std::size_t found = 0, more = missing.size();
+    for (int pass = 0; pass < 12 && more * 1000 >= missing.size() && more > 0; pass++) {
         strands_->choose(missing, frame.view * frame.model, frame.near);
         target.bind();
         gl_.Disable(GL_SCISSOR_TEST);

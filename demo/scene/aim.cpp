@@ -131,6 +131,7 @@ void aim(const Scene &scene, const Hair &hair, bool turntable, draw::Frame &fram
     frame.projection = glm::mat4(
         glm::perspective(scene.camera_fov * degree, aspect, near, far + 2.0 * size));
     frame.eye = glm::vec3(eye);
+    frame.distance = float(far);
     frame.near = float(near);
 }
 
