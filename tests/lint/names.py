@@ -2,8 +2,9 @@
 """One list of exported names, four times. usage: names.py ROOT LIBRARY.so
 
 The names that the library exports, those of runtime/tsuya.map, those declared TSU_API in the public
-headers and those of tests/abi/symbols.txt are the same. Macros of public headers begin TSU_. The
-library calls nothing that prints, ends the process or knows a locale."""
+headers and those of tests/abi/symbols.txt are the same. Macros of public headers begin TSU_. Every
+public struct has its layout in tests/abi. The library calls nothing that prints, ends the process
+or knows a locale."""
 import pathlib
 import re
 import subprocess
@@ -58,6 +59,22 @@ for path in headers:
                 errors.append(f'{path.name}: the constant {name} is not named TSU_...')
     if re.search(r'\b(bool|long)\b|^\s*(static\s+)?inline\b', code, re.M):
         errors.append(f'{path.name}: bool, long or inline in a public header')
+
+# Every public struct and field is in tests/abi/layout.c, every header in tests/abi/meson.build.
+layout = (root / 'tests/abi/layout.c').read_text('utf-8')
+built = (root / 'tests/abi/meson.build').read_text('utf-8')
+for path in headers:
+    code = re.sub(r'//[^\n]*', '', path.read_text('utf-8'))
+    for name, body in re.findall(r'typedef struct (\w+) \{(.*?)\} \1;', code, re.S):
+        if f'SIZE({name},' not in layout:
+            errors.append(f'tests/abi/layout.c has no size of {name}')
+        for declaration in body.split(';'):
+            for field in declaration.split(','):
+                words = re.findall(r'\w+', field.split('[')[0])
+                if words and f'AT({name}, {words[-1]},' not in layout:
+                    errors.append(f'tests/abi/layout.c has no place of {name}.{words[-1]}')
+    if path.parent.name == 'tsuya' and f"'{path.stem}'" not in built:
+        errors.append(f'tests/abi/meson.build does not compile {path.name} alone')
 
 listed = (root / 'tests/abi/symbols.txt').read_text('utf-8').split()
 if listed != sorted(set(listed)):

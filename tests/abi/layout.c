@@ -1,0 +1,214 @@
+// Layout of every public struct on LP64. A number here never changes; a struct grows at its end
+// with new lines here. Compiling this file is the test.
+#include <tsuya/tsuya.h>
+
+#define SIZE(type, bytes) _Static_assert(sizeof(type) == (bytes), #type " has another size")
+#define AT(type, field, bytes)                                                                    \
+    _Static_assert(offsetof(type, field) == (bytes), #type "." #field " has moved")
+
+#if defined(__LP64__) || defined(_WIN64)
+
+SIZE(tsu_context_desc, 80);
+AT(tsu_context_desc, struct_size, 0);
+AT(tsu_context_desc, flags, 4);
+AT(tsu_context_desc, version, 8);
+AT(tsu_context_desc, reserved, 12);
+AT(tsu_context_desc, allocate, 16);
+AT(tsu_context_desc, allocate_user, 24);
+AT(tsu_context_desc, log, 32);
+AT(tsu_context_desc, log_user, 40);
+AT(tsu_context_desc, jobs, 48);
+AT(tsu_context_desc, jobs_user, 56);
+AT(tsu_context_desc, read, 64);
+AT(tsu_context_desc, read_user, 72);
+
+SIZE(tsu_gl_desc, 24);
+AT(tsu_gl_desc, struct_size, 0);
+AT(tsu_gl_desc, flags, 4);
+AT(tsu_gl_desc, get_proc_address, 8);
+AT(tsu_gl_desc, user, 16);
+
+SIZE(tsu_gl_bindings_info, 32);
+AT(tsu_gl_bindings_info, struct_size, 0);
+AT(tsu_gl_bindings_info, flags, 4);
+AT(tsu_gl_bindings_info, texture, 8);
+AT(tsu_gl_bindings_info, buffer, 12);
+AT(tsu_gl_bindings_info, offset, 16);
+AT(tsu_gl_bindings_info, size, 24);
+
+SIZE(tsu_hair_preset_info, 56);
+AT(tsu_hair_preset_info, struct_size, 0);
+AT(tsu_hair_preset_info, flags, 4);
+AT(tsu_hair_preset_info, name, 8);
+AT(tsu_hair_preset_info, eumelanin, 16);
+AT(tsu_hair_preset_info, pheomelanin, 24);
+AT(tsu_hair_preset_info, sigma_a, 32);
+
+SIZE(tsu_model_info, 64);
+AT(tsu_model_info, struct_size, 0);
+AT(tsu_model_info, flags, 4);
+AT(tsu_model_info, name, 8);
+AT(tsu_model_info, title, 16);
+AT(tsu_model_info, source, 24);
+AT(tsu_model_info, params_size, 32);
+AT(tsu_model_info, parameter_count, 40);
+AT(tsu_model_info, table_count, 44);
+AT(tsu_model_info, error_count, 48);
+AT(tsu_model_info, input_count, 52);
+AT(tsu_model_info, function_count, 56);
+
+SIZE(tsu_parameter_info, 72);
+AT(tsu_parameter_info, struct_size, 0);
+AT(tsu_parameter_info, flags, 4);
+AT(tsu_parameter_info, name, 8);
+AT(tsu_parameter_info, unit, 16);
+AT(tsu_parameter_info, help, 24);
+AT(tsu_parameter_info, offset, 32);
+AT(tsu_parameter_info, count, 40);
+AT(tsu_parameter_info, rebakes, 44);
+AT(tsu_parameter_info, minimum, 48);
+AT(tsu_parameter_info, maximum, 56);
+AT(tsu_parameter_info, default_value, 64);
+
+SIZE(tsu_table_info, 48);
+AT(tsu_table_info, struct_size, 0);
+AT(tsu_table_info, flags, 4);
+AT(tsu_table_info, name, 8);
+AT(tsu_table_info, axes, 16);
+AT(tsu_table_info, channels, 24);
+AT(tsu_table_info, width, 32);
+AT(tsu_table_info, height, 36);
+AT(tsu_table_info, bytes, 40);
+
+SIZE(tsu_error_info, 40);
+AT(tsu_error_info, struct_size, 0);
+AT(tsu_error_info, flags, 4);
+AT(tsu_error_info, name, 8);
+AT(tsu_error_info, measure, 16);
+AT(tsu_error_info, range, 24);
+AT(tsu_error_info, value, 32);
+
+SIZE(tsu_input_info, 32);
+AT(tsu_input_info, struct_size, 0);
+AT(tsu_input_info, flags, 4);
+AT(tsu_input_info, name, 8);
+AT(tsu_input_info, type, 16);
+AT(tsu_input_info, help, 24);
+
+SIZE(tsu_function_info, 32);
+AT(tsu_function_info, struct_size, 0);
+AT(tsu_function_info, flags, 4);
+AT(tsu_function_info, name, 8);
+AT(tsu_function_info, help, 16);
+AT(tsu_function_info, input_count, 24);
+AT(tsu_function_info, output_count, 28);
+
+SIZE(tsu_value_info, 56);
+AT(tsu_value_info, struct_size, 0);
+AT(tsu_value_info, flags, 4);
+AT(tsu_value_info, name, 8);
+AT(tsu_value_info, unit, 16);
+AT(tsu_value_info, help, 24);
+AT(tsu_value_info, minimum, 32);
+AT(tsu_value_info, maximum, 40);
+AT(tsu_value_info, default_value, 48);
+
+SIZE(tsu_kajiya_kay_params, 32);
+AT(tsu_kajiya_kay_params, struct_size, 0);
+AT(tsu_kajiya_kay_params, flags, 4);
+AT(tsu_kajiya_kay_params, eta, 8);
+AT(tsu_kajiya_kay_params, alpha_R, 12);
+AT(tsu_kajiya_kay_params, beta_R, 16);
+AT(tsu_kajiya_kay_params, sigma_a, 20);
+
+SIZE(tsu_marschner_params, 40);
+AT(tsu_marschner_params, struct_size, 0);
+AT(tsu_marschner_params, flags, 4);
+AT(tsu_marschner_params, eta, 8);
+AT(tsu_marschner_params, alpha_R, 12);
+AT(tsu_marschner_params, beta_R, 16);
+AT(tsu_marschner_params, beta_az, 20);
+AT(tsu_marschner_params, sigma_a, 24);
+AT(tsu_marschner_params, reserved, 36);
+
+SIZE(tsu_set_desc, 16);
+AT(tsu_set_desc, struct_size, 0);
+AT(tsu_set_desc, flags, 4);
+AT(tsu_set_desc, max_texture_size, 8);
+AT(tsu_set_desc, max_materials, 12);
+
+SIZE(tsu_set_info, 56);
+AT(tsu_set_info, struct_size, 0);
+AT(tsu_set_info, flags, 4);
+AT(tsu_set_info, material_count, 8);
+AT(tsu_set_info, page_count, 12);
+AT(tsu_set_info, table_count, 16);
+AT(tsu_set_info, stale_count, 20);
+AT(tsu_set_info, width, 24);
+AT(tsu_set_info, height, 28);
+AT(tsu_set_info, generation, 32);
+AT(tsu_set_info, texture_generation, 40);
+AT(tsu_set_info, id, 48);
+
+SIZE(tsu_region, 24);
+AT(tsu_region, x, 0);
+AT(tsu_region, y, 4);
+AT(tsu_region, width, 8);
+AT(tsu_region, height, 12);
+AT(tsu_region, generation, 16);
+
+SIZE(tsu_shader_desc, 48);
+AT(tsu_shader_desc, struct_size, 0);
+AT(tsu_shader_desc, flags, 4);
+AT(tsu_shader_desc, target, 8);
+AT(tsu_shader_desc, model_count, 12);
+AT(tsu_shader_desc, models, 16);
+AT(tsu_shader_desc, function, 24);
+AT(tsu_shader_desc, array_materials, 28);
+AT(tsu_shader_desc, set, 32);
+AT(tsu_shader_desc, sampler_binding, 36);
+AT(tsu_shader_desc, block_binding, 40);
+AT(tsu_shader_desc, reserved, 44);
+
+#endif
+
+// Numbers that hosts store: never renumbered.
+#define IS(name, value) _Static_assert((name) == (value), #name " has another value")
+IS(TSU_OK, 0);
+IS(TSU_E_PARAMETER, -1);
+IS(TSU_E_STRUCT, -2);
+IS(TSU_E_VERSION, -3);
+IS(TSU_E_MEMORY, -4);
+IS(TSU_E_LIMIT, -5);
+IS(TSU_E_UNSUPPORTED, -6);
+IS(TSU_E_STATE, -7);
+IS(TSU_E_HOST, -8);
+IS(TSU_LOG_ERROR, 1);
+IS(TSU_LOG_WARNING, 2);
+IS(TSU_LOG_INFO, 3);
+IS(TSU_GL_CHECK, 1);
+IS(TSU_INPUT_EXTRA, 1);
+IS(TSU_FUNCTION_INPUTS, 16);
+IS(TSU_FUNCTION_OUTPUTS, 8);
+IS(TSU_FUNCTION_REFERENCE_ONLY, 1);
+IS(TSU_VALUE_MATERIAL, 1);
+IS(TSU_MARSCHNER_SCALE_SHIFTS, 1);
+IS(TSU_PAGE_MATERIALS, 127);
+IS(TSU_RECORD_VEC4, 8);
+IS(TSU_PAGE_VEC4, 1024);
+IS(TSU_PAGE_BYTES, 16384);
+IS(TSU_CELL, 128);
+IS(TSU_TARGET_330, 1);
+IS(TSU_TARGET_410, 2);
+IS(TSU_TARGET_450, 3);
+IS(TSU_TARGET_300ES, 4);
+IS(TSU_TARGET_310ES, 5);
+IS(TSU_TARGET_VULKAN, 6);
+IS(TSU_SHADER_ARRAY, 1);
+IS(TSU_SHADER_PROBE, 2);
+IS(TSU_SHADER_HARNESS, 4);
+
+int main(void)
+{
+    return 0;
+}
