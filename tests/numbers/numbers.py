@@ -1,0 +1,190 @@
+#!/usr/bin/env python3
+"""The numbers that tsuya promises, measured through its command and printed as a table.
+
+    numbers.py TSUYA SHADER_COST
+
+Every figure comes from what `tsuya` prints: the GPU path against the double-precision reference on
+random rows (seeded), integrals by sums of rows, static shader cost from the compiler of a GPU.
+Exit 1 when a figure exceeds its bound. TSUYA_LONG=1 takes ten times as many rows.
+"""
+
+import json
+import math
+import os
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / 'bench'))
+import cost  # noqa: E402  (the bench's own reader of static cost)
+
+TSUYA, SHADER_COST = sys.argv[1], sys.argv[2]
+LONG = 10 if os.environ.get('TSUYA_LONG') else 1
+MESA = '22.3.6'
+FAILED = []
+
+
+def tsuya(*words, text=None):
+    done = subprocess.run([TSUYA, *words], input=text, stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, text=True, check=False)
+    if done.returncode:
+        sys.exit(f'tsuya {" ".join(words)}: {done.stderr}')
+    return done.stdout
+
+
+def evaluate(function, place, columns, rows, model=None):
+    text = ','.join(columns) + '\n' + ''.join(','.join(map(repr, row)) + '\n' for row in rows)
+    words = ['eval', function, '--on', place] + (['--model', model] if model else [])
+    lines = [line.split(',') for line in tsuya(*words, text=text).splitlines()]
+    return [dict(zip(lines[0][len(columns):], map(float, line[len(columns):])))
+            for line in lines[1:]]
+
+
+def report(what, value, bound, unit=''):
+    fine = value <= bound
+    if not fine:
+        FAILED.append(what)
+    print(f'{what:68} {value:9.4g}{unit} <= {bound:g}{unit}{"" if fine else "   FAILED"}', flush=True)
+
+
+def azimuthal():
+    columns = ['eta', 'theta_d_deg', 'sigma_a', 'beta_az_deg', 'phi_deg']
+    worst, worst_energy, worst_residual = 0.0, 0.0, 0.0
+    for _ in range(16 * LONG):
+        eta, beta = random.uniform(1.3, 1.8), random.uniform(5, 20)
+        groups, rows = [], []
+        for _ in range(6):
+            theta = random.uniform(0, 85)
+            for sigma in (0.0, random.uniform(0, 1), random.uniform(0, 5)):
+                groups.append((theta, sigma))
+                rows += [[eta, theta, sigma, beta, (k + 0.5) * 1.5] for k in range(120)]
+        exact = evaluate('hair-azimuthal', 'reference', columns, rows)
+        gpu = evaluate('hair-azimuthal', 'gpu', columns, rows)
+        white = 0.0
+        for g, (_, sigma) in enumerate(groups):
+            a, b = exact[g * 120:g * 120 + 120], gpu[g * 120:g * 120 + 120]
+            sums = [(r['R'] + r['TT'] + r['TRT'], s['R'] + s['TT'] + s['TRT']) for r, s in zip(a, b)]
+            worst = max(worst, max(abs(x - y) for x, y in sums) / max(x for x, _ in sums))
+            total = sum(sum(r[p] for p in ('R', 'TT', 'TRT', 'RES')) for r in a)
+            for p in ('R', 'TT', 'TRT', 'RES'):
+                off = abs(sum(s[p] for s in b) - sum(r[p] for r in a))
+                worst_energy = max(worst_energy, off / total)
+            if sigma == 0.0:
+                white = max(r['RES'] for r in a)
+            worst_residual = max(worst_residual,
+                                 max(abs(r['RES'] - s['RES']) for r, s in zip(a, b)) / white)
+    report('gpu N, R+TT+TRT, of its peak over phi', 100 * worst, 0.5, ' %')
+    report('gpu N, energy of a lobe, of the total', 100 * worst_energy, 0.5, ' %')
+    report('gpu N, residual, of its peak over phi at sigma_a 0', 100 * worst_residual, 2.8, ' %')
+
+
+def longitudinal():
+    columns = ['theta_i_deg', 'theta_r_deg', 'beta_deg']
+    worst = 0.0
+    for _ in range(10 * LONG):
+        beta = random.uniform(2, 30)
+        for theta in [random.uniform(-89, 89) for _ in range(6)]:
+            rows = [[max(-89.0, min(89.0, -theta + beta * random.uniform(-4, 4))), theta, beta]
+                    for _ in range(200)]
+            exact = evaluate('longitudinal', 'reference', columns, rows)
+            gpu = evaluate('longitudinal', 'gpu', columns, rows)
+            peak = max(r['M'] for r in exact)
+            worst = max(worst, max(abs(r['M'] - s['M']) for r, s in zip(exact, gpu)) / peak)
+    report("gpu M against d'Eon, of its peak, beta 2..30 degrees", 100 * worst, 0.5, ' %')
+
+
+HAIR = ['theta_i_deg', 'theta_r_deg', 'phi_deg', 'eta', 'sigma_a', 'alpha_R_deg', 'beta_R_deg',
+        'beta_az_deg']
+
+
+def albedo(place, model, view, material, sigma, thetas=400, phis=24):
+    """Integral over all light directions; the highlight gets half of the nodes."""
+    rows, weights = [], []
+    for i in range(thetas):
+        theta = (i + 0.5) / thetas * 180 - 90
+        for k in range(phis):
+            rows.append([theta, view, (k + 0.5) / phis * 180, material[0], sigma, *material[1:]])
+            weights.append(math.cos(math.radians(theta)) * math.pi / thetas * 2 * math.pi / phis)
+    values = evaluate('hair', place, HAIR, rows, model)
+    return sum(w * v['total'] for w, v in zip(weights, values))
+
+
+def furnace():
+    near = far = 0.0
+    for _ in range(8 * LONG):
+        material = (random.uniform(1.3, 1.8), random.uniform(-10, 10), random.uniform(5, 20),
+                    random.uniform(5, 20))
+        for view in (random.uniform(-75, 75), random.choice((-75, 75))):
+            near = max(near, abs(albedo('gpu', 'marschner', view, material, 0.0) - 1))
+        far = max(far, abs(albedo('gpu', 'marschner', random.choice((-85, 85)), material, 0.0) - 1))
+    report('white furnace, gpu, views to 75 degrees', 100 * near, 0.5, ' %')
+    report('white furnace, gpu, views to 85 degrees', 100 * far, 2.0, ' %')
+
+
+def golden():
+    """Lobe energies of the reference, eta 1.55; the integral of N over phi."""
+    table = {0: (0.07495, 0.86179, 0.05567, 0.00758), 30: (0.08618, 0.84277, 0.06142, 0.00963),
+             60: (0.17347, 0.69735, 0.10201, 0.02717), 75: (0.36024, 0.42501, 0.13667, 0.07808)}
+    columns, worst = ['eta', 'theta_d_deg', 'sigma_a', 'beta_az_deg', 'phi_deg'], 0.0
+    for theta, energies in table.items():
+        rows = [[1.55, theta, 0.0, 20.0, k * 2.0] for k in range(180)]
+        values = evaluate('hair-azimuthal', 'reference', columns, rows)
+        for p, energy in zip(('R', 'TT', 'TRT', 'RES'), energies):
+            worst = max(worst, abs(sum(v[p] for v in values) * math.radians(2) - energy))
+    report('lobe energies of the reference, from the published five digits', worst, 1.0e-5)
+
+
+def kajiya_kay():
+    worst = 0.0
+    for sigma in (0.0, 0.05, 0.2, 1.0):
+        for view in (0, 30, 60):
+            material = (1.55, -7.5, 7.5, 10.0)
+            ratio = (albedo('gpu', 'kajiya_kay', view, material, sigma, 720, 1) /
+                     albedo('gpu', 'marschner', view, material, sigma))
+            worst = max(worst, abs(ratio - 1))
+    report("Kajiya-Kay's albedo over Marschner's, default roughness", 100 * worst, 5.0, ' %')
+
+
+def static_cost():
+    bounds = {'kajiya_kay': 130, 'marschner': 250}
+    with tempfile.TemporaryDirectory() as folder:
+        folder = pathlib.Path(folder)
+        shaders = [(n, cost.HERE / 'baseline' / f'{n}.frag') for n in cost.BASELINES]
+        for model in bounds:
+            source = folder / f'{model}_.frag'
+            source.write_text(tsuya('glsl', model, '--target', 'vulkan', '--harness'),
+                              encoding='utf-8')
+            shaders.append((f'tsuya {model}', source))
+        rows = cost.measure(SHADER_COST, 'navi21', shaders, folder)
+    cost.print_table(rows)
+    base = [rows[name]['inverse_throughput'] for name in cost.BASELINES]
+    if base != [66, 102, 176]:
+        print(f'another compiler than Mesa {MESA}: baselines read {base}, not 66, 102, 176')
+        FAILED.append(f'static cost needs Mesa {MESA}')
+    for model, bound in bounds.items():
+        report(f'static cost of {model}, navi21, Mesa {MESA}',
+               rows[f'tsuya {model}']['inverse_throughput'], bound)
+
+
+def size():
+    models = {m['name']: m for m in json.loads(tsuya('models', '--json'))['models']}
+    report('table memory of a hair material', sum(t['bytes'] for t in models['marschner']['tables'])
+           / 1024, 128, ' KiB')
+    text = tsuya('glsl', 'marschner', '--target', '330')
+    report('texture fetches a light', text.count('textureLod(') + text.count('texture('), 2)
+    report('samplers with every model at once',
+           tsuya('glsl', ','.join(models), '--target', '330').count('uniform sampler'), 1)
+
+
+def main():
+    random.seed(2003)
+    for part in (golden, azimuthal, longitudinal, furnace, kajiya_kay, size, static_cost):
+        part()
+    if FAILED:
+        sys.exit('failed: ' + '; '.join(FAILED))
+
+
+if __name__ == '__main__':
+    main()
