@@ -37,8 +37,8 @@ static void melanin_follows_its_source(void **state)
         for (int which = 0; which < 2; which++) {
             double sigma_a[3] = {9, 9, 9};
             watch_quiet(&watch);
-            assert_int_equal(tsu_hair_melanin(context, which ? 1 : bad[i], which ? bad[i] : 1, sigma_a),
-                             TSU_E_PARAMETER);
+            const double e = which ? 1 : bad[i], p = which ? bad[i] : 1;
+            assert_int_equal(tsu_hair_melanin(context, e, p, sigma_a), TSU_E_PARAMETER);
             assert_true(sigma_a[0] == 0 && sigma_a[1] == 0 && sigma_a[2] == 0);
             assert_non_null(strstr(watch.log, which ? "pheomelanin" : "eumelanin"));
             assert_non_null(strstr(watch.log, "[0, 100]"));

@@ -57,7 +57,8 @@ static void threads_give_the_same_bytes(void **state)
     assert_int_equal(tsu_set_bake(r.set), TSU_OK);
     assert_true(jobs_run >= 5);
     for (uint32_t i = 0; i < 5; i++) {
-        uint16_t *got = rig_texels(&r, rig_region_of(&r, i)), *alone = rig_alone(eta[i], beta_az[i]);
+        uint16_t *got = rig_texels(&r, rig_region_of(&r, i));
+        uint16_t *alone = rig_alone(eta[i], beta_az[i]);
         assert_memory_equal(got, alone, RIG_TABLE_BYTES);
         free(got);
         free(alone);

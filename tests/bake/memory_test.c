@@ -60,8 +60,8 @@ static long fail_everywhere(tsu_status (*step)(void))
         assert_true(r.watch.log_count > 0);
         const struct view after = look();
         if (memcmp(&after, &before, sizeof after) != 0)
-            fail_msg("request %ld failed and the set changed: materials %u was %u, pages %u was %u, "
-                     "tables %u was %u, stale %u was %u, generation %u was %u", n,
+            fail_msg("request %ld failed and the set changed: materials %u was %u, pages %u was "
+                     "%u, tables %u was %u, stale %u was %u, generation %u was %u", n,
                      after.info.material_count, before.info.material_count, after.info.page_count,
                      before.info.page_count, after.info.table_count, before.info.table_count,
                      after.info.stale_count, before.info.stale_count,

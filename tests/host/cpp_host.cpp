@@ -125,9 +125,10 @@ int main()
 
     // Equal tables in two sets, indices and counters of their own.
     for (int i = 0; i < 3; i++) {
-        expect(add(a, 1.3f + 0.1f * static_cast<float>(i)) == static_cast<std::uint32_t>(i), "a counts");
+        const std::uint32_t index = static_cast<std::uint32_t>(i);
+        expect(add(a, 1.3f + 0.1f * static_cast<float>(i)) == index, "a counts");
         if (i < 2)
-            expect(add(b, 1.3f) == static_cast<std::uint32_t>(i), "b counts for itself");
+            expect(add(b, 1.3f) == index, "b counts for itself");
         expect(tsu_set_bake((i & 1 ? a : b).set) == TSU_OK, "a bake in turn");
     }
     expect(describe(a).material_count == 3 && describe(a).table_count == 3, "a has three of three");

@@ -46,7 +46,8 @@ static GLuint link(const struct gl_api *gl, const char *text)
     const GLuint program = gl->CreateProgram();
     GLint good;
     gl->AttachShader(program, shader(gl, GL_VERTEX_SHADER, vertex, "", ""));
-    gl->AttachShader(program, shader(gl, GL_FRAGMENT_SHADER, "#version 330 core\n", text, fragment));
+    gl->AttachShader(program,
+                     shader(gl, GL_FRAGMENT_SHADER, "#version 330 core\n", text, fragment));
     gl->LinkProgram(program);
     gl->GetProgramiv(program, GL_LINK_STATUS, &good);
     return good ? program : 0;

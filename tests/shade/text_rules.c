@@ -64,6 +64,12 @@ static const char *first_of(const char *start, const char *end, const char *set)
     return start;
 }
 
+static int has(const char *start, const char *end, const char *word)
+{
+    const char *found = strstr(start, word);
+    return found && found < end;
+}
+
 // One declaration, up to its ; or {.
 static void declaration(struct globals *g, const char *start, const char *end, char stop)
 {
@@ -80,9 +86,8 @@ static void declaration(struct globals *g, const char *start, const char *end, c
     if (begins(start, end, "struct"))
         put(g, 's', start, end);
     else if (begins(start, end, "uniform"))
-        put(g, stop == '{' ? 'b' : strstr(start, "sampler") && strstr(start, "sampler") < end ? 'u'
-                                                                                               : 'v',
-            start, first_of(start, end, "["));
+        put(g, stop == '{' ? 'b' : has(start, end, "sampler") ? 'u' : 'v', start,
+            first_of(start, end, "["));
     else if (first_of(start, end, "(") < first_of(start, end, "=["))
         put(g, 'f', start, first_of(start, end, "("));
     else
