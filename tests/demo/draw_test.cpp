@@ -1,0 +1,268 @@
+// Scene files, and the numbers that pictures have to keep.
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+
+#include "scene/build.h"
+#include "scene/gallery.h"
+#include "scene/picture.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+extern "C" {
+#include <cmocka.h>
+}
+
+namespace {
+
+using namespace tsuya;
+
+std::unique_ptr<scene::Studio> studio;
+
+// One Rec. 709 luminance off by this share fails.
+constexpr double one_percent = 0.01;
+
+void refuse(const std::string &text, const std::vector<std::string> &words)
+{
+    const groom::Expected<scene::Scene> scene = scene::parse(text, "test.scene");
+    if (scene) {
+        fail_msg("accepted: %s", text.c_str());
+    }
+    for (const std::string &word : words) {
+        if (scene.error().find(word) == std::string::npos) {
+            fail_msg("\"%s\" does not name %s", scene.error().c_str(), word.c_str());
+        }
+    }
+}
+
+void refuses_bad_scenes(void **)
+{
+    refuse("hair", {"test.scene", "line 1", "key=value"});
+    refuse("\n# fine\nhat=1", {"line 3", "hat"});
+    refuse("=1", {"line 1"});
+    refuse("dome=1\ndome=1", {"line 2", "dome", "twice"});
+    refuse("dome=nan", {"dome", "not finite", "[0, 10000]"});
+    refuse("dome=inf", {"dome", "not finite"});
+    refuse("dome=1e999", {"dome"});
+    refuse("dome=-1", {"dome", "-1", "[0, 10000]"});
+    refuse("dome=1,5", {"dome", "not a number"});
+    refuse("dome=", {"dome", "not a number"});
+    refuse("dome=0x10", {"dome", "not a number"});
+    refuse("supersample=1.5", {"supersample", "1.5", "whole"});
+    refuse("supersample=9", {"supersample", "[1, 8]"});
+    refuse("strands=99", {"strands", "[100, 100000]"});
+    refuse("strands=1000000", {"strands", "[100, 100000]"});
+    refuse("points=8.5", {"points", "whole"});
+    refuse("length=-0.1", {"length", "[0.02, 1]"});
+    refuse("size=640", {"size", "WxH"});
+    refuse("size=0x640", {"size", "[1, 8192]"});
+    refuse("size=640x9000", {"size", "[1, 8192]"});
+    refuse("size=640x640x2", {"size"});
+    refuse("model=phong", {"model", "phong", "marschner"});
+    refuse("color=teal", {"color", "teal", "brown"});
+    refuse("sigma_a=1,2", {"sigma_a", "three numbers"});
+    refuse("sigma_a=1,2,3,4", {"sigma_a"});
+    refuse("sigma_a=1,2,-3", {"sigma_a", "-3"});
+    refuse("albedo=0.5,0.5,1.5", {"albedo", "1.5", "[0, 1]"});
+    refuse("color=brown\nsigma_a=1,1,1", {"line 2", "color", "sigma_a"});
+    refuse("eumelanin=1\nalbedo=0.5,0.5,0.5", {"eumelanin", "albedo"});
+    refuse("eta=3", {"eta", "[1.2, 2]"});
+    refuse("beta_R_deg=1", {"beta_R_deg", "[2, 30]"});
+    refuse("beta_R=0.1", {"beta_R", "no key"});
+    refuse("light=sun", {"light", "sun", "back"});
+    refuse("light0.direction=0,0,0", {"light0.direction", "not all 0"});
+    refuse("light32.intensity=1", {"light32.intensity", "no key"});
+    refuse("light01.intensity=1", {"light01.intensity", "no key"});
+    refuse("camera.fov_deg=0", {"camera.fov_deg", "[1, 120]"});
+    refuse("camera.elevation_deg=90", {"camera.elevation_deg", "[-89, 89]"});
+    refuse("groom=file:", {"groom", "file:PATH"});
+    refuse("groom=bald", {"groom", "bald"});
+    refuse("width_scale=0", {"width_scale"});
+    refuse("background=1,2,nan", {"background", "not finite"});
+    refuse("shadow=soft", {"shadow", "grid"});
+    assert_false(bool(scene::override({}, {"dome=1", "dome=2"})));
+    assert_false(bool(scene::read("/no/such/file.scene")));
+    assert_false(bool(scene::find("no-such-scene")));
+}
+
+void reads_what_it_writes(void **)
+{
+    const std::string text = "\xef\xbb\xbf# a scene\r\n groom = curly # style\r\nseed=4294967295\n"
+                             "length=0.123456789012345\nmodel=kajiya_kay\nbeta_az_deg=7.3\n"
+                             "alpha_R_deg=-3.1\neumelanin=0\npheomelanin=0.3\nlight=none\n"
+                             "light3.direction=1,-2,3e-3\nlight31.intensity=0.1\nsize=17x900\n"
+                             "camera.target=0,0,0\nturn_deg=-12.5\ntitle=a b = c";
+    const groom::Expected<scene::Scene> first = scene::parse(text, "a");
+    if (!first) {
+        fail_msg("%s", first.error().c_str());
+    }
+    assert_int_equal(first->lights.size(), 2);
+    assert_true(first->camera_aims);
+    assert_int_equal(first->height, 900);
+    const std::string written = scene::write(*first);
+    const groom::Expected<scene::Scene> second = scene::parse(written, "b");
+    assert_true(bool(second));
+    assert_true(*first == *second);
+    assert_true(first->parameters == second->parameters && first->hair == second->hair);
+    assert_string_equal(written.c_str(), scene::write(*second).c_str());
+    assert_string_equal(scene::write({}).c_str(), "");
+    assert_true(scene::material(*first)->sigma_a.x > 0.0);
+
+    const groom::Expected<scene::Scene> dyed = scene::override(*first, {"color=red"});
+    assert_true(bool(dyed) && dyed->color_by == scene::ColorBy::preset);
+    assert_false(bool(scene::material(*scene::override({}, {"albedo=0.01,0.5,0.5"}))));
+}
+
+void gallery_scenes_parse(void **)
+{
+    const groom::Expected<std::vector<scene::Named>> all = scene::gallery();
+    assert_true(bool(all) && all->size() >= 8);
+    for (const scene::Named &named : *all) {
+        assert_false(named.scene.title.empty());
+        assert_true(bool(scene::material(named.scene)));
+    }
+}
+
+struct Drawn {
+    scene::Numbers numbers;
+    double reached = 0.0; // share of the strands
+};
+
+Drawn drawn(const std::vector<std::string> &words, bool count = false)
+{
+    std::vector<std::string> all = {"size=128x128", "strands=2000", "width_scale=15"};
+    all.insert(all.end(), words.begin(), words.end());
+    const groom::Expected<scene::Scene> scene = scene::override({}, all);
+    assert_true(bool(scene));
+    const groom::Expected<scene::Hair> hair = scene::hair(*scene);
+    const groom::Expected<scene::Material> material = scene::material(*scene);
+    assert_true(bool(hair) && bool(material));
+    groom::Expected<bool> good = studio->take(*hair, *material);
+    const draw::Frame frame = scene::frame(*scene, *hair, *material);
+    good = good ? studio->renderer().draw(frame) : good;
+    if (!good) {
+        fail_msg("%s", good.error().c_str());
+    }
+    Drawn result;
+    const draw::Picture picture = studio->renderer().picture();
+    for (float value : picture.pixels) {
+        assert_true(std::isfinite(value) && value >= 0.0f);
+    }
+    result.numbers = scene::numbers(picture);
+    if (count) {
+        result.reached = double(studio->renderer().reached(frame)) / double(hair->groom.strands());
+    }
+    return result;
+}
+
+void keeps_energy_when_supersampled(void **)
+{
+    for (const char *style : {"groom=straight", "groom=curly"}) {
+        // From locks to fibres far below a pixel: 0.7, 0.2 and 0.05 pixels.
+        for (const char *width : {"fiber_width=8e-5", "fiber_width=2.1e-5", "fiber_width=5e-6"}) {
+            const auto mean = [&](const char *samples) {
+                return drawn({style, width, samples, "head=none", "background=0,0,0"}).numbers.mean;
+            };
+            const double off = mean("supersample=1") / mean("supersample=4") - 1.0;
+            std::printf("%s %s: 1x against 4x4 %+.3f %%\n", style, width, 100.0 * off);
+            assert_true(std::abs(off) <= 2.0 * one_percent);
+        }
+    }
+}
+
+void keeps_energy_when_models_change(void **)
+{
+    for (const char *style : {"groom=straight", "groom=wavy", "groom=curly"}) {
+        for (const char *color : {"color=black", "color=brown", "color=blond"}) {
+            const scene::Numbers a = drawn({style, color}).numbers;
+            const scene::Numbers b = drawn({style, color, "model=kajiya_kay"}).numbers;
+            std::printf("%s %s: kajiya_kay against marschner, hair %+.2f %%, frame %+.2f %%\n",
+                        style, color, 100.0 * (b.hair / a.hair - 1.0),
+                        100.0 * (b.mean / a.mean - 1.0));
+            assert_true(std::abs(b.hair / a.hair - 1.0) <= 5.0 * one_percent);
+            assert_true(std::abs(b.mean / a.mean - 1.0) <= 5.0 * one_percent);
+        }
+    }
+}
+
+void strands_reach_the_picture(void **)
+{
+    const Drawn result = drawn({"head=none"}, true);
+    std::printf("strands that reach the picture: %.2f %%\n", 100.0 * result.reached);
+    assert_true(result.reached >= 0.95);
+}
+
+// One straight strand in an orthographic picture; its coverage must add up to width times length.
+void strand_has_its_area(void **)
+{
+    constexpr int size = 96;
+    constexpr double length = 60.0;
+    const groom::Expected<scene::Material> material = scene::material({});
+    double worst = 0.0;
+    for (double width : {0.02, 0.3, 0.9, 1.0, 1.7, 5.0}) {
+        for (double angle : {0.0, 3.0, 22.5, 45.0, 71.0, 90.0, 200.0}) {
+            for (double shift : {0.0, 0.25, 0.5, 0.83}) {
+                const double a = angle * 3.14159265358979 / 180.0;
+                const glm::dvec3 along(std::cos(a), std::sin(a), 0.0);
+                const glm::dvec3 middle(shift, 0.37 * shift, 0.0);
+                scene::Hair hair;
+                for (int i = 0; i < 9; i++) {
+                    hair.groom.points.push_back(
+                        glm::vec3(middle + along * (length * (double(i) / 8.0 - 0.5))));
+                }
+                hair.groom.first = {0, 9};
+                hair.groom.seed = {0.5f};
+                hair.groom.constant_radius = float(width / 2.0);
+                assert_true(bool(studio->take(hair, *material)));
+                draw::Frame frame;
+                frame.width = frame.height = size;
+                frame.taper = 0.0f;
+                frame.shadow = false;
+                // One world unit is one pixel.
+                frame.projection = glm::ortho(-48.0f, 48.0f, -48.0f, 48.0f, 0.1f, 100.0f);
+                frame.view = glm::translate(glm::mat4(1.0f), glm::vec3(0.0f, 0.0f, -50.0f));
+                frame.eye = glm::vec3(0.0f, 0.0f, 50.0f);
+                assert_true(bool(studio->renderer().draw(frame)));
+                const double area = scene::numbers(studio->renderer().picture()).coverage * size *
+                                    size;
+                const double off = area / (width * length) - 1.0;
+                worst = std::max(worst, std::abs(off));
+                if (std::abs(off) > 2.0 * one_percent) {
+                    fail_msg("width %g, angle %g, shift %g: area off by %+.2f %%", width, angle,
+                             shift, 100.0 * off);
+                }
+            }
+        }
+    }
+    std::printf("a strand's area: off by at most %.3f %%\n", 100.0 * worst);
+}
+
+} // namespace
+
+int main()
+{
+    groom::Expected<std::unique_ptr<scene::Studio>> made = scene::Studio::create();
+    if (!made) {
+        std::fprintf(stderr, "draw_test: %s\n", made.error().c_str());
+        return 1;
+    }
+    studio = std::move(*made);
+    const CMUnitTest tests[] = {
+        cmocka_unit_test(refuses_bad_scenes),
+        cmocka_unit_test(reads_what_it_writes),
+        cmocka_unit_test(gallery_scenes_parse),
+        cmocka_unit_test(strand_has_its_area),
+        cmocka_unit_test(strands_reach_the_picture),
+        cmocka_unit_test(keeps_energy_when_supersampled),
+        cmocka_unit_test(keeps_energy_when_models_change),
+    };
+    const int failed = cmocka_run_group_tests_name("draw", tests, nullptr, nullptr);
+    studio.reset();
+    return failed;
+}
