@@ -21,7 +21,7 @@ Manual manual()
 {
     return {
         "glsl",
-        "MODEL[,MODEL...] --target TARGET [--harness] [--array N]",
+        "MODEL[,MODEL...] --target TARGET [--variant fine] [--harness] [--array N]",
         "Prints the GLSL of one or more models: functions, structs and macros that begin with\n"
         "tsu_ or TSU_, one sampler tsu_tables and one block tsu_materials for all of them.\n"
         "Without --harness the text has no #version, no main, no in and no out: paste it after\n"
@@ -34,9 +34,12 @@ Manual manual()
          {"--harness", "",
           "one complete fragment shader: varyings t, l, v, sigma_a, flat material\n"
           "and the models' extra inputs; o = vec4(sum of all lobes, 1)"},
+         {"--variant", "NAME",
+          "fine: spend more where a model can use it; `tsuya eval F --variant\n"
+          "fine` answers with the same text"},
          {"--array", "N",
           "records as `uniform vec4 tsu_records[]` for N materials, 1 to 127,\n"
-          "in place of the block"}},
+          "in place of the block; not for vulkan"}},
         "  tsuya glsl marschner --target 330\n"
         "  tsuya glsl kajiya_kay,marschner --target vulkan --harness > both.frag\n"};
 }
@@ -72,6 +75,14 @@ bool describe(const Arguments &arguments, const std::vector<const tsu_model *> &
     desc.model_count = std::uint32_t(models.size());
     desc.models = models.data();
     desc.flags = arguments.has("--harness") ? TSU_SHADER_HARNESS : 0;
+    if (arguments.has("--variant")) {
+        if (arguments.get("--variant") != "fine") {
+            error = "--variant: there is no variant \"" + arguments.get("--variant") +
+                    "\" of the text; there is fine.";
+            return false;
+        }
+        desc.flags |= TSU_SHADER_FINE;
+    }
     if (arguments.has("--array")) {
         double count = 0;
         const std::string text = arguments.get("--array");

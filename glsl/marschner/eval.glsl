@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Marschner's fibre: R, TT, TRT and the residual of all longer paths.
 //
-// Record of a material (a, b, c as in longitudinal.glsl; the residual shares TRT's):
+// Record of a material (a, b, c as in longitudinal.glsl):
 //   0  a, b, c of R, origin.x of the table in the texture
 //   1  a, b, c of TT, origin.y
 //   2  a, b, c of TRT, 0
 //   3  sigma_a of the material (linear RGB), eta
+//   4  a, b of the residual, for TSU_FINE; its c is TRT's
 
 struct tsu_marschner_lobes {
     float r;   // surface reflection, no colour
@@ -51,6 +52,11 @@ tsu_marschner_lobes tsu_marschner_eval(int material, vec3 t, vec3 l, vec3 v, vec
     lobes.tt = n.y * factor * exp2(tsu_marschner_absorb_tt(path, sigma_a, exponent));
     tsu_marschner_longitudinal(products, trt.x, trt.y, trt.z, exponent, factor);
     lobes.trt = n.z * factor * exp2(tsu_marschner_absorb(path.z, sigma_a, exponent));
+#ifdef TSU_FINE
+    // The residual's own shift; without it the residual shares TRT's lobe, and its ten instructions.
+    vec4 res = TSU_RECORD(material, 4);
+    tsu_marschner_longitudinal(products, res.x, res.y, trt.z, exponent, factor);
+#endif
     lobes.res = n.w * factor * exp2(tsu_marschner_absorb(path.w, sigma_a, exponent));
     return lobes;
 }

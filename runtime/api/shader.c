@@ -29,7 +29,8 @@ static tsu_status reject(const tsu_context *context, const char *what, uint32_t 
 
 static tsu_status check(const tsu_context *context, const tsu_shader_desc *desc)
 {
-    const uint32_t known = TSU_SHADER_ARRAY | TSU_SHADER_PROBE | TSU_SHADER_HARNESS;
+    const uint32_t known = TSU_SHADER_ARRAY | TSU_SHADER_PROBE | TSU_SHADER_HARNESS |
+                           TSU_SHADER_FINE;
     if (desc->flags & ~known)
         return reject(context, "flags", desc->flags, "TSU_SHADER_* bits");
     if (desc->reserved)
@@ -64,6 +65,9 @@ tsu_status tsu_shader_create(tsu_context *context, const tsu_shader_desc *desc, 
                                         sizeof own);
     if (status == TSU_OK)
         status = check(context, &own);
+    if (status == TSU_OK && own.flags & TSU_SHADER_PROBE &&
+        own.models[0]->functions[own.function].info.flags & TSU_FUNCTION_FINE)
+        own.flags |= TSU_SHADER_FINE;
     if (status != TSU_OK)
         return status;
     tsu_shader *shader = tsu_i_alloc(context, 1, sizeof *shader);

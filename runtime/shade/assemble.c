@@ -213,6 +213,8 @@ tsu_status tsu_i_assemble(const tsu_context *context, const tsu_shader_desc *des
         put(&a, a.dialect->version);
     put(&a, "// tsuya, MIT licence: functions, one sampler and one block that begin with tsu_.\n");
     put(&a, a.dialect->preamble);
+    if (desc->flags & TSU_SHADER_FINE)
+        put(&a, "#define TSU_FINE 1\n");
     put_resources(&a);
     if (harness)
         put_varyings(&a);

@@ -84,13 +84,16 @@ enum { TSU_INPUT_EXTRA = 1 };
 // and directions alike.
 typedef struct tsu_function_info {
     uint32_t struct_size; // set by tsu_function_info_init()
-    uint32_t flags;       // TSU_FUNCTION_REFERENCE_ONLY
+    uint32_t flags;       // TSU_FUNCTION_* bits
     const char *name;     // "hair-azimuthal"
     const char *help;
     uint32_t input_count, output_count; // at most TSU_FUNCTION_INPUTS and TSU_FUNCTION_OUTPUTS
 } tsu_function_info;
 enum { TSU_FUNCTION_INPUTS = 16, TSU_FUNCTION_OUTPUTS = 8 };
-enum { TSU_FUNCTION_REFERENCE_ONLY = 1 };
+enum {
+    TSU_FUNCTION_REFERENCE_ONLY = 1,
+    TSU_FUNCTION_FINE = 2 // its probe is assembled with TSU_SHADER_FINE
+};
 
 // One input (or output: then only name, unit and help count) of a function.
 typedef struct tsu_value_info {

@@ -2,6 +2,7 @@
 
 #include "models/values.h"
 #include "optics/angle.h"
+#include "optics/fiber.h"
 
 #include <tsuya/models/marschner.h>
 
@@ -102,6 +103,9 @@ static void record(const void *from, const struct tsu_i_place *places, float *ou
     out[7] = ((float)places->y + 0.5f) / (float)places->height;
     memcpy(out + 12, state->sigma_a, sizeof state->sigma_a);
     out[15] = state->eta;
+    const double v = state->beta[TSU_I_RES] * state->beta[TSU_I_RES];
+    out[16] = (float)(TSU_I_LOG2E * cos(state->alpha[TSU_I_RES]) / v);
+    out[17] = (float)(TSU_I_LOG2E * sin(state->alpha[TSU_I_RES]) / v);
 }
 
 const struct tsu_model tsu_i_model_marschner = {

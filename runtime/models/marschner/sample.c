@@ -69,10 +69,9 @@ static void multiply(float sin_i, float sin_r, float *cos_r, float products[4])
     products[3] = sin_i * *cos_r;
 }
 
-void tsu_i_marschner_hair(const void *state, const float *record,
-                          const struct tsu_i_texels *tables, const double *in, double *out)
+static void hair(const float *record, const struct tsu_i_texels *tables, const double *in, int fine,
+                 double *out)
 {
-    (void)state;
     float cos_r, products[4], n[4], path[4], exponent, factor;
     multiply((float)sin(in[0]), (float)sin(in[1]), &cos_r, products);
     const float half = (float)cos(0.5 * in[2]), sigma_a = (float)in[4];
@@ -83,8 +82,26 @@ void tsu_i_marschner_hair(const void *state, const float *record,
     out[1] = n[1] * factor * exp2f(absorb_tt(path, sigma_a, exponent));
     longitudinal(products, record + 8, &exponent, &factor);
     out[2] = n[2] * factor * exp2f(exponent - path[2] * sigma_a);
+    if (fine) {
+        const float own[3] = {record[16], record[17], record[10]};
+        longitudinal(products, own, &exponent, &factor);
+    }
     out[3] = n[3] * factor * exp2f(exponent - path[3] * sigma_a);
     out[4] = out[0] + out[1] + out[2] + out[3];
+}
+
+void tsu_i_marschner_hair(const void *state, const float *record,
+                          const struct tsu_i_texels *tables, const double *in, double *out)
+{
+    (void)state;
+    hair(record, tables, in, 0, out);
+}
+
+void tsu_i_marschner_hair_fine(const void *state, const float *record,
+                               const struct tsu_i_texels *tables, const double *in, double *out)
+{
+    (void)state;
+    hair(record, tables, in, 1, out);
 }
 
 void tsu_i_marschner_azimuthal(const void *state, const float *record,

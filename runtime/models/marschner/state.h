@@ -28,6 +28,8 @@ void tsu_i_marschner_sample(const struct tsu_i_texels *table, float cos_r, float
                             float sigma_a, float n[4]);
 void tsu_i_marschner_hair(const void *state, const float *record,
                           const struct tsu_i_texels *tables, const double *in, double *out);
+void tsu_i_marschner_hair_fine(const void *state, const float *record,
+                               const struct tsu_i_texels *tables, const double *in, double *out);
 void tsu_i_marschner_azimuthal(const void *state, const float *record,
                                const struct tsu_i_texels *tables, const double *in, double *out);
 void tsu_i_marschner_longitudinal(const void *state, const float *record,
@@ -35,7 +37,7 @@ void tsu_i_marschner_longitudinal(const void *state, const float *record,
                                   double *out);
 
 // functions.c
-enum { MARSCHNER_FUNCTIONS = 5 };
+enum { MARSCHNER_FUNCTIONS = 6 };
 extern const struct tsu_i_function tsu_i_marschner_functions[MARSCHNER_FUNCTIONS];
 
 #endif

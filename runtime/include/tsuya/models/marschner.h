@@ -19,8 +19,8 @@
 // Tables: azimuthal, 128 x 128 RGBA16F = 128 KiB, depends on eta and beta_az alone. Colour, shift
 //         and longitudinal roughness are free.
 // GLSL:   tsu_marschner_eval, tsu_marschner_sum, tsu_marschner_sigma_a; two fetches a light.
-//         The residual is evaluated with TRT's longitudinal lobe (shift -3/2 alpha_R): exact in
-//         energy, its highlight off by alpha_R; it carries 1 to 14 % of the light.
+//         The residual, 1 to 14 % of the light, is evaluated with TRT's longitudinal lobe (shift -3/2
+//         alpha_R): exact in energy, its highlight off by alpha_R. TSU_SHADER_FINE gives it its own.
 // Errors: in the model's error table (tsu_model_error), measured by tests/models/marschner.
 #ifndef TSUYA_MODELS_MARSCHNER_H
 #define TSUYA_MODELS_MARSCHNER_H
