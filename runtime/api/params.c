@@ -78,3 +78,9 @@ tsu_status tsu_i_inputs_check(const tsu_context *context, const tsu_model *model
     }
     return TSU_OK;
 }
+
+void tsu_i_outputs_zero(const tsu_model *model, uint32_t function, double *out)
+{
+    if (model && out && function < model->info.function_count)
+        memset(out, 0, model->functions[function].info.output_count * sizeof *out);
+}

@@ -15,4 +15,7 @@ tsu_status tsu_i_params_read(const tsu_context *context, const tsu_model *model,
 tsu_status tsu_i_inputs_check(const tsu_context *context, const tsu_model *model, uint32_t function,
                               const double *in);
 
+// Zero the answer of a function that fails; `model`, `function` and `out` may name nothing.
+void tsu_i_outputs_zero(const tsu_model *model, uint32_t function, double *out);
+
 #endif

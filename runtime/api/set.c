@@ -241,12 +241,22 @@ tsu_status tsu_set_add(tsu_set *set, const tsu_model *model, const void *params,
         return TSU_E_PARAMETER;
     uint32_t index;
     struct material m;
+    const uint32_t pages = set->page_count;
+    const uint64_t generation = set->generation;
     tsu_status status = free_index(set, &index);
     if (status == TSU_OK)
         status = prepare(set, model, params, &m);
-    rescale(set);
-    if (status != TSU_OK)
+    if (status != TSU_OK) {
+        // A page that was made for this material alone goes again.
+        if (set->page_count > pages) {
+            tsu_i_free(set->context, set->pages[--set->page_count].values, TSU_PAGE_BYTES, 1);
+            if (set->pool.texture_generation <= generation)
+                set->generation = generation;
+        }
+        rescale(set);
         return status;
+    }
+    rescale(set);
     set->materials[index] = m;
     if (index == set->material_count)
         set->material_count++;
@@ -284,6 +294,7 @@ tsu_status tsu_set_remove(tsu_set *set, uint32_t material)
     give_tables(set, m, m->model->info.table_count);
     m->model = NULL;
     set->live--;
+    set->generation++;
     return TSU_OK;
 }
 
@@ -382,6 +393,8 @@ tsu_status tsu_set_evaluate(tsu_set *set, uint32_t material, uint32_t function, 
     }
     if (status == TSU_OK)
         m->model->functions[function].sampled(m->state, record_of(set, material), tables, in, out);
+    else
+        tsu_i_outputs_zero(m->model, function, out);
     return status;
 }
 

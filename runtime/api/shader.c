@@ -37,8 +37,8 @@ static tsu_status check(const tsu_context *context, const tsu_shader_desc *desc)
         return reject(context, "reserved", desc->reserved, "0");
     if (!tsu_i_dialect_find(desc->target))
         return reject(context, "target", (uint32_t)desc->target, "a TSU_TARGET_* value");
-    if (desc->model_count < 1 || desc->model_count > tsu_model_count() || !desc->models)
-        return reject(context, "model_count", desc->model_count, "1 to the number of models");
+    if (desc->model_count < 1 || desc->model_count > 1024 || !desc->models)
+        return reject(context, "model_count", desc->model_count, "1 to 1024 models");
     for (uint32_t i = 0; i < desc->model_count; i++)
         if (!desc->models[i])
             return reject(context, "models", i, "no NULL entry");

@@ -62,3 +62,13 @@ tsu_status tsu_i_desc_init(void *host, size_t host_size, const void *defaults, s
     memcpy(host, &size, sizeof size);
     return TSU_OK;
 }
+
+tsu_status tsu_i_desc_fail(void *host, tsu_status status)
+{
+    uint32_t size = 0;
+    if (host)
+        memcpy(&size, host, sizeof size);
+    if (size > sizeof size)
+        memset((char *)host + sizeof size, 0, size - sizeof size);
+    return status;
+}

@@ -41,8 +41,15 @@ static void put_double(struct tsu_i_line *line, double value)
     int exponent = value > 0 ? (int)floor(log10(value)) : 0;
     const int fixed = exponent >= -5 && exponent < 9;
     const int places = 8 - exponent;
-    double scaled = fixed ? value * pow(10, places) : value / pow(10, exponent) * 1e8;
+    // In two steps where one power of ten would leave the range of doubles.
+    double scaled = fixed              ? value * pow(10, places)
+                    : exponent < -300 ? value * 1e200 * pow(10, -192 - exponent)
+                                      : value / pow(10, exponent) * 1e8;
     unsigned long long digits = (unsigned long long)(scaled + 0.5);
+    if (!fixed && digits >= 1000000000u) { // rounded up to the next power of ten
+        digits /= 10;
+        exponent++;
+    }
     int point = fixed ? places : 8; // digits after the point
     while (point > 0 && digits % 10 == 0) {
         digits /= 10;

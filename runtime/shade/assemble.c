@@ -30,12 +30,30 @@ static void put_line(const struct assembler *a, uint32_t source)
     put(a, "\n");
 }
 
-static int contains(const char *text, size_t size, const char *word)
+static int is_space(char c)
 {
-    const size_t length = strlen(word);
-    for (size_t i = 0; i + length <= size; i++)
-        if (memcmp(text + i, word, length) == 0)
+    return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
+
+static int is_word(char c)
+{
+    return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+// The first word, then the second, however they are spaced; `whole`: the second ends there.
+static int contains(const char *text, size_t size, const char *first, const char *second, int whole)
+{
+    const size_t a = strlen(first), b = strlen(second);
+    for (size_t i = 0; i + a + b <= size; i++) {
+        if (memcmp(text + i, first, a) != 0)
+            continue;
+        size_t k = i + a;
+        while (k < size && is_space(text[k]))
+            k++;
+        if (k + b <= size && memcmp(text + k, second, b) == 0 &&
+            (!whole || k + b == size || !is_word(text[k + b])))
             return 1;
+    }
     return 0;
 }
 
@@ -43,14 +61,18 @@ static int contains(const char *text, size_t size, const char *word)
 static tsu_status host_text(const struct assembler *a, const char *name, const char **text,
                             size_t *size)
 {
-    static const char *const forbidden[] = {"#version", "void main", "gl_Frag"};
+    static const struct {
+        const char *first, *second;
+        int whole;
+    } forbidden[] = {{"#", "version", 1}, {"void", "main", 1}, {"gl_Frag", "", 0}};
     *text = NULL;
     if (!a->context->desc.read || !a->context->desc.read(a->context->desc.read_user, name, text, size))
         *text = NULL;
     for (size_t i = 0; *text && i < sizeof forbidden / sizeof *forbidden; i++)
-        if (contains(*text, *size, forbidden[i])) {
-            tsu_i_log(a->context, TSU_LOG_ERROR, TSU_LOG_SNIPPET, "%s from the host contains \"%s\"",
-                      name, forbidden[i]);
+        if (contains(*text, *size, forbidden[i].first, forbidden[i].second, forbidden[i].whole)) {
+            tsu_i_log(a->context, TSU_LOG_ERROR, TSU_LOG_SNIPPET,
+                      "%s from the host contains \"%s%s%s\"", name, forbidden[i].first,
+                      i == 1 ? " " : "", forbidden[i].second);
             return TSU_E_HOST;
         }
     return TSU_OK;

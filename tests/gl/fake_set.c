@@ -138,7 +138,7 @@ tsu_status tsu_set_describe(const tsu_set *set, tsu_set_info *out)
     out->width = set->width;
     out->height = set->height;
     out->generation = set->generation;
-    out->id = (uint64_t)(uintptr_t)set;
+    out->id = set->id ? set->id : (uint64_t)(uintptr_t)set;
     out->texture_generation = set->texture_generation;
     return TSU_OK;
 }

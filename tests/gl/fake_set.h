@@ -10,6 +10,7 @@ enum { FAKE_REGIONS = 64 };
 
 struct tsu_set {
     uint32_t width, height, region_count, page_count, stale_count;
+    uint64_t id; // 0: the set's address
     uint64_t generation, texture_generation;
     uint32_t describe_calls, read_calls; // of tsu_set_describe(); of the other functions
     uint16_t *texels;

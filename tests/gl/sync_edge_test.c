@@ -21,12 +21,13 @@ static void another_set(void **state)
     assert_int_equal(tsu_gl_bind(gl, 2, 0, 0), TSU_OK);
     rig_sync(gl, c);
     assert_int_equal(tsu_gl_bind(gl, 2, 0, 0), TSU_E_PARAMETER);
-    // A set whose generation went back is a new one at an old address.
+    // A new set at an old set's address, with a generation of its own.
     fake_set_touch_page(c, 1, 4);
     fake_set_touch_page(c, 0, 5);
     rig_sync(gl, c);
     fake_set_touch_page(c, 0, 6);
     fake_set_touch_region(c, 0, 6);
+    c->id = 1;
     c->generation = c->texture_generation = c->regions[0].generation = 1;
     c->page_generations[0] = c->page_generations[1] = 1;
     rig_sync(gl, c);

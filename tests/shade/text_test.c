@@ -196,7 +196,7 @@ static void errors_of_the_descriptor(void **state)
         ask_refused(&a, TSU_E_PARAMETER, "target");
     }
     a.desc = good;
-    a.desc.flags = 8;
+    a.desc.flags = 16;
     ask_refused(&a, TSU_E_PARAMETER, "flags");
     a.desc = good;
     a.desc.reserved = 1;

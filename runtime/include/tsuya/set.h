@@ -51,8 +51,9 @@ TSU_API void tsu_set_destroy(tsu_set *set);
 // Threads: object.
 TSU_API tsu_status tsu_set_add(tsu_set *set, const tsu_model *model, const void *params,
                                uint32_t *material);
-// Change a material's parameters. *baked_again (may be NULL) is 1 when tables became stale.
-// Equal parameters change nothing. Errors and threads as tsu_set_add().
+// Change a material's parameters. *baked_again (may be NULL) is 1 when its tables wait for a bake.
+// Equal parameters change nothing. The old tables are given back after the new ones are placed: a
+// texture at its limit needs room for both. Errors and threads as tsu_set_add().
 TSU_API tsu_status tsu_set_update(tsu_set *set, uint32_t material, const void *params,
                                   int32_t *baked_again);
 // Remove a material; its index may be given out again. Errors: TSU_E_PARAMETER. Threads: object.
