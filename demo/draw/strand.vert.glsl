@@ -1,9 +1,13 @@
 // Ribbons that face the camera, one quad a segment, expanded in pixels.
 //
-// Vertex 2 k + side of point k. A vertex is moved sideways by the fibre's true half width plus the
-// reach of a pixel's square, so that the fragment shader meets every pixel that the fibre touches;
-// ends are moved outwards likewise. Everything is given in pixels with w = 1, so that varyings are
-// linear on the screen; segments nearer than the near plane never come here.
+// Vertex 4 k + 2 end + side of the segment from point k to k + 1. A vertex is moved sideways by the
+// fibre's true half width plus the reach of a pixel's square, so that the fragment shader meets every
+// pixel that the fibre touches. Everything is given in pixels with w = 1, so that varyings are linear
+// on the screen; segments nearer than the near plane never come here.
+//
+// Thin segments end each by itself, moved outwards as well: the shares of a pixel that neighbours
+// cover add up to the whole, so a strand keeps its energy around every bend, however small on the
+// screen. Covering twice at an opaque joint would leave a notch, so wide segments share mitred edges.
 
 uniform highp sampler2D u_points;  // xyz and radius, world units before u_model
 uniform highp sampler2D u_strands; // length from the root, length to the tip, seed, strand
@@ -46,10 +50,25 @@ vec2 direction(vec2 d, vec2 other)
     return size > 1e-5 ? d / size : other;
 }
 
+// Full width in pixels up to which a segment counts as thin: two halves that cover this much lose
+// less than 1 part in 16 of one pixel at a joint.
+const float THIN = 0.25;
+
+float half_width(vec4 strand, int index, float w)
+{
+    float share = strand.y / max(strand.x + strand.y, 1e-30);
+    float taper = u_taper > 0.0 ? min(share / u_taper, 1.0) : 1.0;
+    float radius = texelFetch(u_points, texel(index), 0).w * u_width_scale * taper;
+    return radius * u_pixel_scale / max(w, 1e-6);
+}
+
 void main()
 {
-    int point = gl_VertexID / 2;
+    int first = gl_VertexID / 4;
+    bool end = gl_VertexID % 4 > 1;
     float side = gl_VertexID % 2 == 0 ? -1.0 : 1.0;
+    int point = end ? first + 1 : first;
+    int other = end ? first : first + 1;
     vec4 strand = texelFetch(u_strands, texel(point), 0);
     bool root = strand.x <= 0.0;
     bool tip = strand.y <= 0.0;
@@ -57,34 +76,42 @@ void main()
     vec3 here = world(point);
     vec3 before = root ? here : world(point - 1);
     vec3 after = tip ? here : world(point + 1);
-    vec3 along = after - before;
-
+    vec4 clip = u_view_projection * vec4(here, 1.0);
     vec2 here_px = pixel(here);
     vec2 in_px = here_px - pixel(before);
     vec2 out_px = pixel(after) - here_px;
-    vec2 in_dir = direction(in_px, direction(out_px, vec2(1.0, 0.0)));
-    vec2 out_dir = direction(out_px, in_dir);
-    vec2 dir = dot(in_dir, out_dir) > -0.9 ? normalize(in_dir + out_dir) : out_dir;
-    // A mitre keeps the width on both sides of a bend; past 60 degrees it would stick out.
-    float mitre = 1.0 / max(dot(dir, out_dir), 0.5);
+    float half_here = half_width(strand, point, clip.w);
+    vec4 far_clip = u_view_projection * vec4(end ? before : after, 1.0);
+    float half_other = half_width(texelFetch(u_strands, texel(other), 0), other, far_clip.w);
 
-    vec4 clip = u_view_projection * vec4(here, 1.0);
-    float share = strand.y / max(strand.x + strand.y, 1e-30);
-    float taper = u_taper > 0.0 ? min(share / u_taper, 1.0) : 1.0;
-    float radius = texelFetch(u_points, texel(point), 0).w * u_width_scale * taper;
-    float half_width = radius * u_pixel_scale / max(clip.w, 1e-6);
-    // Half the side of a pixel's square along any direction is at most this.
+    vec2 dir;
+    vec2 ends;          // length from the start and to the end, pixels
+    float mitre = 1.0;
+    float move = 0.0;   // of the vertex along dir, in reaches
+    if (max(half_here, half_other) < 0.5 * THIN) {
+        vec2 along = end ? in_px : out_px;
+        dir = direction(along, vec2(1.0, 0.0));
+        ends = end ? vec2(length(along), 0.0) : vec2(0.0, length(along));
+        move = end ? 1.0 : -1.0;
+    } else {
+        vec2 in_dir = direction(in_px, direction(out_px, vec2(1.0, 0.0)));
+        vec2 out_dir = direction(out_px, in_dir);
+        dir = dot(in_dir, out_dir) > -0.9 ? normalize(in_dir + out_dir) : out_dir;
+        // A mitre keeps the width on both sides of a bend; past 60 degrees it would stick out.
+        mitre = 1.0 / max(dot(dir, out_dir), 0.5);
+        float pixels = (length(in_px) + length(out_px)) /
+                       max(length(here - before) + length(after - here), 1e-30);
+        ends = strand.xy * pixels;
+        move = (tip ? 1.0 : 0.0) - (root ? 1.0 : 0.0);
+    }
+    // The farthest that a pixel's square reaches along any direction, to both sides of its centre.
     float reach = 0.5 * (abs(dir.x) + abs(dir.y)) + 0.01;
-    float across = side * (half_width + reach);
-
-    float end = (tip ? reach : 0.0) - (root ? reach : 0.0);
-    vec2 at = here_px + vec2(-dir.y, dir.x) * (across * mitre) + dir * end;
-    float pixels = (length(in_px) + length(out_px)) /
-                   max(length(here - before) + length(after - here), 1e-30);
+    float across = side * (half_here + reach);
+    vec2 at = here_px + vec2(-dir.y, dir.x) * (across * mitre) + dir * (move * reach);
 
     v_position = here;
-    v_tangent = along;
-    v_ribbon = vec4(across, half_width, strand.x * pixels + end, strand.y * pixels - end);
+    v_tangent = after - before;
+    v_ribbon = vec4(across, half_here, ends.x + move * reach, ends.y - move * reach);
     v_screen = dir;
     v_strand = strand.zw;
     v_sky = texelFetch(u_sky, texel(point), 0).rgb;

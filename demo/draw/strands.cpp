@@ -149,7 +149,7 @@ void Strands::upload(const std::vector<std::uint32_t> &order)
 {
     std::vector<std::uint32_t> elements(order.size() * 6);
     for (std::size_t i = 0; i < order.size(); i++) {
-        const std::uint32_t v = order[i] * 2;
+        const std::uint32_t v = order[i] * 4;
         const std::uint32_t quad[6] = {v, v + 1, v + 2, v + 2, v + 1, v + 3};
         std::copy(quad, quad + 6, elements.begin() + std::ptrdiff_t(i * 6));
     }

@@ -9,7 +9,12 @@ namespace tsuya::scene {
 std::string number_text(double value)
 {
     char text[64];
-    const std::to_chars_result end = std::to_chars(text, text + sizeof text, value);
+    // Plain digits where they are short: 100000, not 1e+05.
+    const double size = std::abs(value);
+    const bool plain = value == 0.0 || (size >= 1e-4 && size < 1e12);
+    const std::to_chars_result end =
+        std::to_chars(text, text + sizeof text, value,
+                      plain ? std::chars_format::fixed : std::chars_format::scientific);
     return {text, end.ptr};
 }
 

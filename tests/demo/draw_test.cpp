@@ -163,6 +163,7 @@ Drawn drawn(const std::vector<std::string> &words, bool count = false)
 
 void keeps_energy_when_supersampled(void **)
 {
+    double worst = 0.0;
     for (const char *style : {"groom=straight", "groom=curly"}) {
         // From locks to fibres far below a pixel: 0.7, 0.2 and 0.05 pixels.
         for (const char *width : {"fiber_width=8e-5", "fiber_width=2.1e-5", "fiber_width=5e-6"}) {
@@ -171,13 +172,15 @@ void keeps_energy_when_supersampled(void **)
             };
             const double off = mean("supersample=1") / mean("supersample=4") - 1.0;
             std::printf("%s %s: 1x against 4x4 %+.3f %%\n", style, width, 100.0 * off);
-            assert_true(std::abs(off) <= 2.0 * one_percent);
+            worst = std::max(worst, std::abs(off));
         }
     }
+    assert_true(worst <= 2.0 * one_percent);
 }
 
 void keeps_energy_when_models_change(void **)
 {
+    double worst = 0.0;
     for (const char *style : {"groom=straight", "groom=wavy", "groom=curly"}) {
         for (const char *color : {"color=black", "color=brown", "color=blond"}) {
             const scene::Numbers a = drawn({style, color}).numbers;
@@ -185,10 +188,11 @@ void keeps_energy_when_models_change(void **)
             std::printf("%s %s: kajiya_kay against marschner, hair %+.2f %%, frame %+.2f %%\n",
                         style, color, 100.0 * (b.hair / a.hair - 1.0),
                         100.0 * (b.mean / a.mean - 1.0));
-            assert_true(std::abs(b.hair / a.hair - 1.0) <= 5.0 * one_percent);
-            assert_true(std::abs(b.mean / a.mean - 1.0) <= 5.0 * one_percent);
+            worst = std::max(worst, std::abs(b.hair / a.hair - 1.0));
+            worst = std::max(worst, std::abs(b.mean / a.mean - 1.0));
         }
     }
+    assert_true(worst <= 5.0 * one_percent);
 }
 
 void strands_reach_the_picture(void **)
