@@ -110,6 +110,9 @@ Expected<std::string> suit(Scene &scene, const std::vector<std::string> &given)
                 " m, which is no head; drawn with unit_scale=" + number_text(scene.unit_scale) +
                 "\n";
     }
+    if (extent.z > extent.x && !has("camera.azimuth_deg")) {
+        scene.camera_azimuth = 100.0;
+    }
     if (!has("width_scale")) {
         const double face = std::max({extent.x * extent.y, extent.y * extent.z,
                                       extent.z * extent.x}) * unit * unit;
@@ -117,7 +120,7 @@ Expected<std::string> suit(Scene &scene, const std::vector<std::string> &given)
                                         ? scene.fiber_width / 2.0
                                         : double(hair->groom.radius[0]) * unit);
         const double area = double(report.strands) * report.mean_length * unit * width;
-        const double scale = std::clamp(6.0 * face / area, 0.05, 50.0);
+        const double scale = std::clamp(1.5 * face / area, 0.05, 50.0);
         scene.width_scale = std::round(scale * 100.0) / 100.0;
         said += "drawn with width_scale=" + number_text(scene.width_scale) + "\n";
     }

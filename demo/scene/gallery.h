@@ -41,8 +41,9 @@ bool is_groom(const std::string &word);
 // Give a groom of unknown unit and density something to be seen with, and say so. Only for grooms
 // from a file; keys that the caller names in `given` are kept.
 //
+//   camera.azimuth_deg  100, its side, when it is deeper than wide
 //   unit_scale   when the largest extent is outside [0.05, 2] metres: such that it is 0.3
-//   width_scale  such that the strands' area, length times width, is 6 times the groom's largest face
+//   width_scale  such that the strands' area, length times width, is 1.5 times the groom's largest face
 //
 // Returns: sentences for the user, empty when nothing was changed.
 Expected<std::string> suit(Scene &scene, const std::vector<std::string> &given);
