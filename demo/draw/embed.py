@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Turn text files into one C++ array: embed.py OUTPUT HEADER NAMESPACE ARRAY FILE...
 
-ARRAY is declared in HEADER as `const Source ARRAY[]` with rows {name, text}; a row of NULLs ends it.
+HEADER declares `const Source ARRAY[]` with rows {name, text}; a row of NULLs ends it.
 """
 import pathlib
 import sys

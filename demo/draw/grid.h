@@ -1,7 +1,7 @@
 // How much hair lies between a point and a light: a cheap self-shadow that fits every model.
 //
-// Hair is spread over the cells of a grid as optical density, fibres per metre of a straight way:
-// a fibre of length s and diameter w in a volume V is met w s (pi/4) / V times per metre, pi/4 being
+// Hair is spread over the cells of a grid as optical density, fibres per metre of a straight way: a
+// fibre of length s and diameter w in a volume V is met w s (pi/4) / V times per metre, pi/4 being
 // the mean sine between a fibre and the way. A sweep from the light through the grid adds it up.
 #ifndef TSUYA_DRAW_GRID_H
 #define TSUYA_DRAW_GRID_H

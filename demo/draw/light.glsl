@@ -5,7 +5,7 @@ const int LIGHTS = 64;
 uniform int u_groups_begin; // lights are used in groups of four
 uniform int u_groups_end;
 uniform vec3 u_light_direction[LIGHTS]; // towards the light, unit, world
-uniform vec3 u_light_color[LIGHTS];     // irradiance on a plane that faces the light, linear; 0: none
+uniform vec3 u_light_color[LIGHTS];     // irradiance facing the light, linear; 0: no light
 uniform highp sampler3D u_fibres;       // fibres on the way to four lights, slabs of four along z
 uniform mat4 u_to_grid;                 // world to the grid's unit cube
 uniform float u_slab;                   // cells of one slab along z; 0: no shadow

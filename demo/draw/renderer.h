@@ -1,11 +1,12 @@
 // Draws a head of hair: the one path that `tsuya render` and the window share.
 //
-// Order of a frame: the sky's light on every point of a strand; the head with depth, then all strand
-// segments from far to near, lit by the other lights in each pixel and blended over, into `supersample` times the picture's size, then the mean over each pixel's samples. Sorting
-// whole segments by their middle is exact where segments do not cross; no layer is lost or counted
-// twice, so energy does not depend on the number of strands. What remains is that fibres inside one
-// pixel are taken as crossing it independently, which understates gaps between aligned ones; the
-// size of that error is the difference to supersample = 4, which tests/demo/draw_test prints.
+// Order of a frame: the sky's light on every point of a strand; the head with depth, then all
+// strand segments from far to near, lit by the other lights in each pixel and blended over, into
+// `supersample` times the picture's size, then the mean over each pixel's samples. Sorting whole
+// segments by their middle is exact where segments do not cross; no layer is lost or counted twice,
+// so energy does not depend on the number of strands. What remains is that fibres inside one pixel
+// are taken as crossing it independently, which understates gaps between aligned ones; the size of
+// that error is the difference to supersample = 4, which tests/demo/draw_test prints.
 #ifndef TSUYA_DRAW_RENDERER_H
 #define TSUYA_DRAW_RENDERER_H
 

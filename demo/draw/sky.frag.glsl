@@ -1,9 +1,9 @@
 // The sky's radiance off every point of every strand, one pixel a point. A sky is smooth, so that
 // a ribbon may take it between its points, at a fraction of the cost for each pixel.
 //
-// Deep in hair the sky's light has been scattered often and comes from all sides alike: the radiance
-// around a point is the mean over directions of what the hair lets through, and the model is
-// integrated over the whole sphere. Models of equal albedo are therefore equally bright in it.
+// Deep in hair the sky's light has been scattered often and comes from all sides alike: the
+// radiance around a point is the mean over directions of what the hair lets through, and the model
+// is integrated over the whole sphere. Models of equal albedo are therefore equally bright in it.
 
 uniform highp sampler2D u_points;
 uniform highp sampler2D u_strands;
@@ -12,7 +12,8 @@ uniform vec3 u_eye;
 uniform int u_samples;
 out vec4 o_color;
 
-// Spread of the samples around the mirror cone, radians: between the widths of narrow and wide lobes.
+// Spread of the samples around the mirror cone, radians: between the widths of narrow and wide
+// lobes.
 const float SPREAD = 0.2;
 
 vec3 world(ivec2 size, int index)

@@ -1,13 +1,14 @@
 // Ribbons that face the camera, one quad a segment, expanded in pixels.
 //
 // Vertex 4 k + 2 end + side of the segment from point k to k + 1. A vertex is moved sideways by the
-// fibre's true half width plus the reach of a pixel's square, so that the fragment shader meets every
-// pixel that the fibre touches. Everything is given in pixels with w = 1, so that varyings are linear
-// on the screen; segments nearer than the near plane never come here.
+// fibre's true half width plus the reach of a pixel's square, so that the fragment shader meets
+// every pixel that the fibre touches. Everything is given in pixels with w = 1, so that varyings
+// are linear on the screen; segments nearer than the near plane never come here.
 //
 // Thin segments end each by itself, moved outwards as well: the shares of a pixel that neighbours
 // cover add up to the whole, so a strand keeps its energy around every bend, however small on the
-// screen. Covering twice at an opaque joint would leave a notch, so wide segments share mitred edges.
+// screen. Covering twice at an opaque joint would leave a notch, so wide segments share mitred
+// edges.
 
 uniform highp sampler2D u_points;  // xyz and radius, world units before u_model
 uniform highp sampler2D u_strands; // length from the root, length to the tip, seed, strand

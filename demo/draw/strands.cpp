@@ -10,7 +10,8 @@ namespace tsuya::draw {
 
 namespace {
 
-constexpr std::size_t row = Strands::row_points; // every GL 3.3 and ES 3 driver in use has textures this wide
+// Every GL 3.3 and ES 3 driver in use has textures this wide.
+constexpr std::size_t row = Strands::row_points;
 
 GLuint texture(const gl_api &gl, GLenum unit, const std::vector<glm::vec4> &texels)
 {
@@ -26,7 +27,8 @@ GLuint texture(const gl_api &gl, GLenum unit, const std::vector<glm::vec4> &texe
     return name;
 }
 
-// Indices 0 .. keys.size() - 1 by falling key; keys are positive floats, whose bits sort as numbers.
+// Indices 0 .. keys.size() - 1 by falling key; keys are positive floats, whose bits sort as
+// numbers.
 std::vector<std::uint32_t> order_by(const std::vector<float> &keys)
 {
     constexpr int bits = 11;

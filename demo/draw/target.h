@@ -8,8 +8,8 @@
 
 namespace tsuya::draw {
 
-// Colour texture with four channels, with or without depth. OpenGL: 32-bit floats, so that thousands
-// of thin layers add up; ES, which need not blend those: 16-bit floats.
+// Colour texture with four channels, with or without depth. OpenGL: 32-bit floats, so that
+// thousands of thin layers add up; ES, which need not blend those: 16-bit floats.
 class Target
 {
   public:

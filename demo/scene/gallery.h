@@ -29,8 +29,8 @@ struct Named {
 Expected<std::vector<Named>> gallery();
 
 // What a word on a command line means: the path of a groom file (.tfx, .hair, .data), the path of a
-// scene file, or the name of a scene of the gallery, in this order. For a groom the scene around it is
-// the default one without a head.
+// scene file, or the name of a scene of the gallery, in this order. For a groom the scene around it
+// is the default one without a head.
 //
 // Errors: nothing of the kind, with the names that there are; and as parse().
 Expected<Scene> find(const std::string &word);
@@ -43,7 +43,8 @@ bool is_groom(const std::string &word);
 //
 //   camera.azimuth_deg  100, its side, when it is deeper than wide
 //   unit_scale   when the largest extent is outside [0.05, 2] metres: such that it is 0.3
-//   width_scale  such that the strands' area, length times width, is 1.5 times the groom's largest face
+//   width_scale  such that the strands' area, length times width, is 1.5 times the groom's
+//                largest face
 //
 // Returns: sentences for the user, empty when nothing was changed.
 Expected<std::string> suit(Scene &scene, const std::vector<std::string> &given);

@@ -4,8 +4,8 @@
 // # a comment. Each key at most once. What is absent takes its default; grammar() prints all keys
 // with range, default and meaning. The renderer, the reference and the chooser read the same files.
 //
-// Angles in files are degrees and carry _deg; lengths are metres; colours linear Rec. 709; the world
-// is +y up, +z out of the face, +x to the person's left.
+// Angles in files are degrees and carry _deg; lengths are metres; colours linear Rec. 709; the
+// world is +y up, +z out of the face, +x to the person's left.
 #ifndef TSUYA_SCENE_SCENE_H
 #define TSUYA_SCENE_SCENE_H
 
@@ -50,8 +50,8 @@ struct Scene {
     std::string head = "auto";
 
     std::string model = "marschner";
-    // Parameters that were given, under the model's name for them; angles in degrees. Those of other
-    // models are kept, so that model= can be switched.
+    // Parameters that were given, under the model's name for them; angles in degrees. Those of
+    // other models are kept, so that model= can be switched.
     std::map<std::string, glm::dvec3> parameters;
     ColorBy color_by = ColorBy::preset;
     std::string color = "brown";

@@ -27,7 +27,7 @@ const command::Manual manual = {
     "[SCENE|FILE] [key=value ...]",
     "Show a scene of the gallery, a scene file or a groom in a window; without one, the scene\n"
     "straight-brown. Started as tsuya-view. Keys are those of tsuya scenes --help.",
-    {{"--glsl", "DIR", "read the library's GLSL from this folder (glsl of a checkout), again at F5"},
+    {{"--glsl", "DIR", "read the library's GLSL from here (glsl of a checkout), again at F5"},
      {"--draw-glsl", "DIR", "the same for the renderer's own (demo/draw of a checkout)"},
      {"--frames", "N", "close after N frames, [1, 1000000]"},
      {"--screenshot", "FILE", "write the last frame, .png or .exr, on closing"}},
