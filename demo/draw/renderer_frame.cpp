@@ -20,6 +20,11 @@ Expected<bool> Renderer::draw(const Frame &frame)
                      std::to_string(height) + " but this context draws at most " +
                      std::to_string(most) + " pixels along a side"};
     }
+    constexpr double samples_most = 1e8; // 2 GB
+    if (double(width) * double(height) > samples_most) {
+        return Error{"size times supersample is " + std::to_string(width) + "x" +
+                     std::to_string(height) + " but must be at most 100000000 samples in all"};
+    }
     if (!samples_->resize(width, height, true) ||
         !sky_->resize(Strands::row_points, strands_->rows(), false) ||
         !resolved_->resize(frame.width, frame.height, false)) {

@@ -76,7 +76,10 @@ struct Library {
 
     Error failed(tsu_status status) const
     {
-        return Error{message.empty() ? tsu_status_text(status) : message};
+        // A log line begins with its number in brackets.
+        const std::size_t end = message.rfind("[E", 0) == 0 ? message.find("] ") : std::string::npos;
+        const std::string text = end == std::string::npos ? message : message.substr(end + 2);
+        return Error{text.empty() ? tsu_status_text(status) : text};
     }
 
     tsu_context *context = nullptr;

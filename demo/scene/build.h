@@ -40,7 +40,7 @@ Expected<Material> material(const Scene &scene);
 // Rigs, by azimuth and elevation in degrees and irradiance, beside the default dome of radiance
 // 1.5:
 //   key    (47, 36) 0.6 and a rim (202, 26) 1.0     front  (10, 20) 2.0
-//   side   (95, 20) 3.0                             back   (195, 20) 6.0
+//   side   (95, 20) 3.0                             back   (195, 20) 3.0
 // A single light shows two models differently even when they scatter the same energy in all, since
 // each sends it another way: Marschner's fibre sends most of it on, away from the light. In the
 // default rig the rim returns what the key loses and the dome, in which models of equal albedo are

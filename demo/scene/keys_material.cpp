@@ -121,7 +121,7 @@ void add_material_keys(std::vector<Key> &keys)
                            "red pigment"),
                 ColorBy::melanin),
         colored(triple_key("material", "albedo", &Scene::albedo, 0.0, 1.0,
-                           "of one fibre, above its surface reflection (0.153 at eta 1.55); in "
+                           "of one fibre, above its surface reflection (0.099 at eta 1.55); in "
                            "place of color"),
                 ColorBy::albedo),
     };
