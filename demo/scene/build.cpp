@@ -77,7 +77,8 @@ struct Library {
     Error failed(tsu_status status) const
     {
         // A log line begins with its number in brackets.
-        const std::size_t end = message.rfind("[E", 0) == 0 ? message.find("] ") : std::string::npos;
+        const bool coded = message.rfind("[E", 0) == 0;
+        const std::size_t end = coded ? message.find("] ") : std::string::npos;
         const std::string text = end == std::string::npos ? message : message.substr(end + 2);
         return Error{text.empty() ? tsu_status_text(status) : text};
     }

@@ -53,7 +53,7 @@ tsu_marschner_lobes tsu_marschner_eval(int material, vec3 t, vec3 l, vec3 v, vec
     tsu_marschner_longitudinal(products, trt.x, trt.y, trt.z, exponent, factor);
     lobes.trt = n.z * factor * exp2(tsu_marschner_absorb(path.z, sigma_a, exponent));
 #ifdef TSU_FINE
-    // The residual's own shift; without it the residual shares TRT's lobe, and its ten instructions.
+    // The residual's own shift; without this it shares TRT's lobe and saves ten instructions.
     vec4 res = TSU_RECORD(material, 4);
     tsu_marschner_longitudinal(products, res.x, res.y, trt.z, exponent, factor);
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Function "hair-fine", assembled with TSU_FINE: theta_i, theta_r, phi, eta, sigma_a, alpha_R, beta_R, beta_az -> R, TT, TRT, RES,
-// total.
+// Function "hair-fine": theta_i, theta_r, phi, eta, sigma_a, alpha_R, beta_R, beta_az -> R, TT, TRT,
+// RES, total. Assembled with TSU_FINE.
 
 void tsu_probe(int material, float x[16], out float y[8])
 {

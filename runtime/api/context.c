@@ -11,9 +11,9 @@ uint32_t tsu_version(void)
 
 const char *tsu_status_text(tsu_status status)
 {
-    static const char *const names[] = {"TSU_OK",        "TSU_E_PARAMETER",   "TSU_E_STRUCT",
-                                        "TSU_E_VERSION", "TSU_E_MEMORY",      "TSU_E_LIMIT",
-                                        "TSU_E_UNSUPPORTED", "TSU_E_STATE",   "TSU_E_HOST"};
+    static const char *const names[] = {
+        "TSU_OK",      "TSU_E_PARAMETER",   "TSU_E_STRUCT", "TSU_E_VERSION", "TSU_E_MEMORY",
+        "TSU_E_LIMIT", "TSU_E_UNSUPPORTED", "TSU_E_STATE",  "TSU_E_HOST"};
     return status <= 0 && status >= TSU_E_HOST ? names[-status] : "unknown status";
 }
 
@@ -31,7 +31,8 @@ tsu_status tsu_context_create(const tsu_context_desc *desc, tsu_context **out)
         return TSU_E_PARAMETER;
     *out = NULL;
     struct tsu_context local = {0};
-    // Until the descriptor is known to be sound only its logger is trusted, and only when it is there.
+    // Until the descriptor is known to be sound only its logger is trusted, and only when it is
+    // there.
     struct tsu_context early = {0};
     if (desc && desc->struct_size >= offsetof(tsu_context_desc, jobs)) {
         early.desc.log = desc->log;
@@ -48,8 +49,8 @@ tsu_status tsu_context_create(const tsu_context_desc *desc, tsu_context **out)
         return TSU_E_VERSION;
     }
     if (local.desc.flags || local.desc.reserved) {
-        tsu_i_log(&local, TSU_LOG_ERROR, TSU_LOG_FLAGS,
-                  "tsu_context_desc.flags = %u, expected 0", local.desc.flags | local.desc.reserved);
+        tsu_i_log(&local, TSU_LOG_ERROR, TSU_LOG_FLAGS, "tsu_context_desc.flags = %u, expected 0",
+                  local.desc.flags | local.desc.reserved);
         return TSU_E_PARAMETER;
     }
     tsu_context *context = tsu_i_alloc(&local, 1, sizeof *context);

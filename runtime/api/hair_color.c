@@ -49,7 +49,8 @@ static tsu_status check(tsu_context *context, double eta, const double in[3], do
 tsu_status tsu_hair_albedo(tsu_context *context, double eta, const double sigma_a[3],
                            double albedo[3])
 {
-    const double in[3] = {sigma_a ? sigma_a[0] : 0, sigma_a ? sigma_a[1] : 0, sigma_a ? sigma_a[2] : 0};
+    const double in[3] = {sigma_a ? sigma_a[0] : 0, sigma_a ? sigma_a[1] : 0,
+                          sigma_a ? sigma_a[2] : 0};
     const tsu_status status = check(context, eta, sigma_a ? in : NULL, albedo);
     if (status != TSU_OK)
         return status;
@@ -99,7 +100,8 @@ tsu_status tsu_hair_sigma_a(tsu_context *context, double eta, const double albed
         if (!(in[k] > least && in[k] <= 1.0)) {
             tsu_i_log(context, TSU_LOG_ERROR, TSU_LOG_COLOR,
                       "albedo = %g, expected (%g, 1]: a fibre of eta %g reflects that much at its "
-                      "surface", in[k], least, eta);
+                      "surface",
+                      in[k], least, eta);
             return TSU_E_PARAMETER;
         }
     for (int k = 0; k < 3; k++)

@@ -63,15 +63,14 @@ static tsu_status new_cell(struct tsu_i_atlas *atlas, uint32_t *cell)
     }
     if (width > atlas->max_size || height > atlas->max_size) {
         tsu_i_log(atlas->context, TSU_LOG_ERROR, TSU_LOG_TEXTURE_LIMIT,
-                  "the tables need a texture of %u x %u, tsu_set_desc.max_texture_size is %u", width,
-                  height, atlas->max_size);
+                  "the tables need a texture of %u x %u, tsu_set_desc.max_texture_size is %u",
+                  width, height, atlas->max_size);
         return TSU_E_LIMIT;
     }
     if (*cell == atlas->cell_capacity) {
         const uint32_t capacity = atlas->cell_capacity ? 2 * atlas->cell_capacity : 4;
-        struct tsu_i_atlas_cell *cells = tsu_i_realloc(atlas->context, atlas->cells,
-                                                       atlas->cell_capacity, capacity,
-                                                       sizeof *cells);
+        struct tsu_i_atlas_cell *cells = tsu_i_realloc(
+            atlas->context, atlas->cells, atlas->cell_capacity, capacity, sizeof *cells);
         if (!cells)
             return TSU_E_MEMORY;
         atlas->cells = cells;

@@ -4,9 +4,9 @@
 
 #include <tsuya/context.h>
 
-// Copy a host descriptor over `own`, which holds our defaults. `own_size` is our layout, `least` the
-// first released one. A larger host struct is accepted when what we do not know is zero.
-// Fails with TSU_E_STRUCT and a log line that names `name`.
+// Copy a host descriptor over `own`, which holds our defaults. `own_size` is our layout, `least`
+// the first released one. A larger host struct is accepted when what we do not know is zero. Fails
+// with TSU_E_STRUCT and a log line that names `name`.
 tsu_status tsu_i_desc_read(const tsu_context *context, const char *name, const void *host,
                            void *own, size_t own_size, size_t least);
 

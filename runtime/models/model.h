@@ -35,7 +35,8 @@ struct tsu_i_table {
     void (*finish)(float *texels);
 };
 
-// A table error that can be measured again: the worst of the shader's formula against the reference.
+// A table error that can be measured again: the worst of the shader's formula against the
+// reference.
 struct tsu_i_measure {
     const char *name;
     double (*worst)(const void *state, const struct tsu_i_texels *tables);
@@ -53,7 +54,7 @@ struct tsu_i_function {
 };
 
 struct tsu_model {
-    tsu_model_info info; // counts are filled by the arrays below
+    tsu_model_info info;  // counts are filled by the arrays below
     const void *defaults; // typed parameters; struct_size first
     size_t params_least;  // first released layout
     uint32_t known_flags;

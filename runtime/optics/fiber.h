@@ -11,8 +11,8 @@
 //   Phi_p  = 2 p gamma_t - 2 gamma_i + p pi               exit azimuth
 //
 // Source: Marschner et al. 2003, "Light Scattering from Human Hair Fibers", sections 4 and 5, with
-// the chord length corrected (the paper's 1 + cos 2 gamma_t is not the chord of the unit circle) and
-// one refraction angle for both polarisations.
+// the chord length corrected (the paper's 1 + cos 2 gamma_t is not the chord of the unit circle)
+// and one refraction angle for both polarisations.
 #ifndef TSU_OPTICS_FIBER_H
 #define TSU_OPTICS_FIBER_H
 
@@ -20,11 +20,11 @@ enum { TSU_I_R, TSU_I_TT, TSU_I_TRT, TSU_I_RES, TSU_I_LOBES };
 
 // What one impact parameter does, for all lobes.
 struct tsu_i_ray {
-    double fresnel;  // F
-    double segment;  // s, fibre radii
-    double gamma_i;  // radians, [0, pi/2]
-    double gamma_t;  // radians
-    double weight;   // dh of the quadrature over h in [0, 1]
+    double fresnel; // F
+    double segment; // s, fibre radii
+    double gamma_i; // radians, [0, pi/2]
+    double gamma_t; // radians
+    double weight;  // dh of the quadrature over h in [0, 1]
 };
 
 // Node `index` of `panels * 16` over h in [0, 1] (by symmetry that is all of h), spaced in gamma_i,

@@ -26,14 +26,15 @@ double tsu_i_lobe_deon(double theta_i, double theta_r, double beta)
 {
     const double v = beta * beta;
     const double c = cos(theta_i) * fabs(cos(theta_r)), s = sin(theta_i) * sin(theta_r);
-    // Where the shifted view stays before the pole, 1 + ss - cc = 2 sin^2(half sum): no cancellation.
+    // Where the shifted view stays before the pole, 1 + ss - cc = 2 sin^2(half sum): no
+    // cancellation.
     const double half = sin(0.5 * (theta_i + theta_r));
     const double exponent = cos(theta_r) >= 0.0 ? 2.0 * half * half : 1.0 + s - c;
     return exp(-exponent / v) * tsu_i_lobe_i0e(c / v) / (v * -expm1(-2.0 / v));
 }
 
-// g(theta_i + theta_r) cos theta_i / cos^2 theta_d without the normaliser; 0 where theta_d reaches a
-// pole.
+// g(theta_i + theta_r) cos theta_i / cos^2 theta_d without the normaliser; 0 where theta_d reaches
+// a pole.
 static double plain(double theta_i, double theta_r, double beta)
 {
     const double z = (theta_i + theta_r) / beta, cos_d = cos(0.5 * (theta_r - theta_i));
@@ -47,8 +48,8 @@ double tsu_i_lobe_gaussian(double theta_i, double theta_r, double beta)
     const double centre = fmin(fmax(-theta_r, -half_pi), half_pi);
     double k = 0.0;
     for (int side = 0; side < 2; side++) {
-        const double far = side ? fmin(centre + 9.0 * beta, half_pi)
-                                : fmax(centre - 9.0 * beta, -half_pi);
+        const double far =
+            side ? fmin(centre + 9.0 * beta, half_pi) : fmax(centre - 9.0 * beta, -half_pi);
         for (int i = 0; i < 4 * TSU_I_QUADRATURE_PANEL; i++) {
             double weight;
             const double t = tsu_i_quadrature_node(centre, far, 4, i, &weight);

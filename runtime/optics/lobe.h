@@ -15,7 +15,8 @@ double tsu_i_lobe_i0e(double x);
 double tsu_i_lobe_deon(double theta_i, double theta_r, double beta);
 
 // Marschner's Gaussian in theta_i + theta_r, divided by its normaliser:
-//   g(theta_i + theta_r; beta) cos(theta_i) / (cos^2(theta_d) K), K so that Int M cos(theta_i) dtheta_i = 1
+//   g(theta_i + theta_r; beta) cos(theta_i) / (cos^2(theta_d) K), K so that Int M cos(theta_i)
+//   dtheta_i = 1
 // with K by quadrature. The named variant "gaussian" of the reference.
 // Source: Marschner et al. 2003, section 5.1.
 double tsu_i_lobe_gaussian(double theta_i, double theta_r, double beta);

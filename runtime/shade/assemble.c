@@ -66,7 +66,8 @@ static tsu_status host_text(const struct assembler *a, const char *name, const c
         int whole;
     } forbidden[] = {{"#", "version", 1}, {"void", "main", 1}, {"gl_Frag", "", 0}};
     *text = NULL;
-    if (!a->context->desc.read || !a->context->desc.read(a->context->desc.read_user, name, text, size))
+    if (!a->context->desc.read ||
+        !a->context->desc.read(a->context->desc.read_user, name, text, size))
         *text = NULL;
     for (size_t i = 0; *text && i < sizeof forbidden / sizeof *forbidden; i++)
         if (contains(*text, *size, forbidden[i].first, forbidden[i].second, forbidden[i].whole)) {

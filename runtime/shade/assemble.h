@@ -15,7 +15,8 @@ struct tsu_i_assembly {
     uint32_t source_count;
 };
 
-// Assemble a checked descriptor. TSU_E_MEMORY, TSU_E_HOST (text from the host breaks a rule, logged).
+// Assemble a checked descriptor. TSU_E_MEMORY, TSU_E_HOST (text from the host breaks a rule,
+// logged).
 tsu_status tsu_i_assemble(const tsu_context *context, const tsu_shader_desc *desc,
                           struct tsu_i_assembly *out);
 

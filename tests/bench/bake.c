@@ -1,5 +1,5 @@
-// Times what a host waits for, on one core: baking a material, changing one, asking an unchanged set.
-// Prints medians of many; times nothing that a test would judge. Run: bench_bake
+// Times what a host waits for, on one core: baking a material, changing one, asking an unchanged
+// set. Prints medians of many; times nothing that a test would judge. Run: bench_bake
 #define _POSIX_C_SOURCE 199309L
 
 #include <tsuya/tsuya.h>

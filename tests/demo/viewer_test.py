@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """The window draws what the command draws: viewer_test.py XVFB_RUN TSUYA_VIEW TSUYA.
 
-Both render one scene at the window's size, the window on a virtual display; mean luminance must agree within 2 %.
+Both render one scene at the window's size, the window on a virtual display; mean luminance must
+agree within 2 %.
 """
 
 import os

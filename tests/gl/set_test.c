@@ -48,8 +48,8 @@ static GLuint probe_program(const tsu_model *model, uint32_t function)
     return program;
 }
 
-static void compare(tsu_gl *gl, tsu_set *set, uint32_t material, const struct fixture_target *target,
-                    GLuint program, uint32_t outputs)
+static void compare(tsu_gl *gl, tsu_set *set, uint32_t material,
+                    const struct fixture_target *target, GLuint program, uint32_t outputs)
 {
     static float pixels[GRID * GRID * 4];
     const double row[8] = {0.1, 0.35, 0.0, 1.5, 0.4, 0.0, 0.0, 0.0};
@@ -147,8 +147,8 @@ static void follows_every_change(void **state)
     tsu_set_destroy(set);
 }
 
-// Light or view along the strand, opposite and equal directions, no and much absorption: finite, not
-// negative, and no brighter than a lobe can be.
+// Light or view along the strand, opposite and equal directions, no and much absorption: finite,
+// not negative, and no brighter than a lobe can be.
 static void extremes_stay_finite(void **state)
 {
     (void)state;

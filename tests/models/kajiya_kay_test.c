@@ -1,5 +1,5 @@
-// What Kajiya-Kay states about its errors, measured again: its energy against Marschner's of the same
-// fibre, integrated over all light directions.
+// What Kajiya-Kay states about its errors, measured again: its energy against Marschner's of the
+// same fibre, integrated over all light directions.
 //
 //   kajiya_kay_test      a sample, each measured error must not exceed the stated one
 //   kajiya_kay_test N    N times as many materials; with TSUYA_LONG set, 12
@@ -80,7 +80,11 @@ int main(int argc, char **argv)
     sweep_open(&sweep, 19890731);
     const double table = promised(&sweep);
     for (int i = 0; i < 60 * scale; i++) {
-        double in[7] = {0, 0, 0, sweep_corner(&sweep, 1.3, 1.8), 0,
+        double in[7] = {0,
+                        0,
+                        0,
+                        sweep_corner(&sweep, 1.3, 1.8),
+                        0,
                         sweep_corner(&sweep, -10, 10) * pi / 180,
                         sweep_corner(&sweep, 5, 20) * pi / 180};
         sweep_material(&sweep, tsu_kajiya_kay(), 0, in);

@@ -1,4 +1,5 @@
-// What Marschner's model states about its errors, measured again on random materials; and its energy.
+// What Marschner's model states about its errors, measured again on random materials; and its
+// energy.
 //
 //   marschner_test          a sample, each measured error must not exceed the stated one
 //   marschner_test N        N times as many materials; with TSUYA_LONG set, 12
@@ -12,7 +13,8 @@ enum { HAIR, AZIMUTHAL, LONGITUDINAL, HAIR_FINE };
 static const double pi = 3.14159265358979323846;
 
 static double worst_azimuthal, worst_energy, worst_residual, worst_absorbed, worst_longitudinal;
-static double worst_furnace_75, worst_furnace_85, worst_hair, worst_hair_residual, worst_reciprocity;
+static double worst_furnace_75, worst_furnace_85, worst_hair, worst_hair_residual,
+    worst_reciprocity;
 static double worst_hair_fine;
 
 static double larger(double a, double b)
@@ -20,8 +22,8 @@ static double larger(double a, double b)
     return b > a ? b : a;
 }
 
-// R+TT+TRT in units of its peak over phi, lobe energies in units of the total, the residual in units
-// of its peak over phi without absorption. `wide` covers all legal materials.
+// R+TT+TRT in units of its peak over phi, lobe energies in units of the total, the residual in
+// units of its peak over phi without absorption. `wide` covers all legal materials.
 static void azimuthal(struct sweep *sweep, int wide)
 {
     enum { STEPS = 96, SIGMAS = 9 };
@@ -152,8 +154,8 @@ static void hair(struct sweep *sweep)
     }
 }
 
-// Light and view exchanged, default shift: |S(i, r) - S(r, i)| in units of the peak, without pigment,
-// on a grid of 5 degrees to 75.
+// Light and view exchanged, default shift: |S(i, r) - S(r, i)| in units of the peak, without
+// pigment, on a grid of 5 degrees to 75.
 static void reciprocity(struct sweep *sweep)
 {
     const double degree = pi / 180.0;
@@ -162,10 +164,10 @@ static void reciprocity(struct sweep *sweep)
         for (int r = -15; r <= 15; r++)
             for (int k = 0; k <= 12; k++) {
                 const double theta_i = 5 * i * degree, theta_r = 5 * r * degree;
-                const double there[8] = {theta_i, theta_r, 15 * k * degree, 1.55, 0,
-                                         -7.5 * degree, 7.5 * degree, 10 * degree};
-                const double back[8] = {theta_r, theta_i, there[2], there[3], there[4],
-                                        there[5], there[6], there[7]};
+                const double there[8] = {theta_i, theta_r,       15 * k * degree, 1.55,
+                                         0,       -7.5 * degree, 7.5 * degree,    10 * degree};
+                const double back[8] = {theta_r,  theta_i,  there[2], there[3],
+                                        there[4], there[5], there[6], there[7]};
                 sweep_reference(sweep, tsu_marschner(), HAIR, there, a);
                 sweep_reference(sweep, tsu_marschner(), HAIR, back, b);
                 const double s = a[4] / cos(theta_i), t = b[4] / cos(theta_r);

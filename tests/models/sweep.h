@@ -20,7 +20,8 @@ double sweep_between(struct sweep *sweep, double low, double high);
 double sweep_degrees(struct sweep *sweep, double low, double high); // radians
 
 // Make the set hold the one material that `in` describes; 1 on success.
-int sweep_material(struct sweep *sweep, const tsu_model *model, uint32_t function, const double *in);
+int sweep_material(struct sweep *sweep, const tsu_model *model, uint32_t function,
+                   const double *in);
 // The function from the baked tables, and by its reference.
 void sweep_table(struct sweep *sweep, uint32_t function, const double *in, double *out);
 void sweep_reference(struct sweep *sweep, const tsu_model *model, uint32_t function,

@@ -1,4 +1,5 @@
-// The fibre's azimuthal optics against figures that were computed independently, and against limits.
+// The fibre's azimuthal optics against figures that were computed independently, and against
+// limits.
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>

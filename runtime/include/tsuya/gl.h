@@ -7,11 +7,12 @@
 //   tsu_gl_create, tsu_gl_bindings   touch nothing
 //   tsu_gl_sync    when nothing changed: no GL call. Otherwise it saves, sets and restores
 //                  PIXEL_UNPACK_BUFFER, UNPACK_{ALIGNMENT, ROW_LENGTH, IMAGE_HEIGHT, SKIP_PIXELS,
-//                  SKIP_ROWS, SKIP_IMAGES} and, where it exists, UNPACK_SWAP_BYTES, UNPACK_LSB_FIRST,
-//                  the 2-D texture of the active unit (not with direct state access), and the
-//                  generic UNIFORM_BUFFER binding
-//   tsu_gl_program_setup   saves, sets and restores CURRENT_PROGRAM (not on 4.1 and later, where the
-//                  program is written without being current), sets tsu_tables and the block binding
+//                  SKIP_ROWS, SKIP_IMAGES} and, where it exists, UNPACK_SWAP_BYTES,
+//                  UNPACK_LSB_FIRST, the 2-D texture of the active unit (not with direct state
+//                  access), and the generic UNIFORM_BUFFER binding
+//   tsu_gl_program_setup   saves, sets and restores CURRENT_PROGRAM (not on 4.1 and later, where
+//                  the program is written without being current), sets tsu_tables and the block
+//                  binding
 //   tsu_gl_bind    leaves bound: the texture and no sampler object on `unit`, one page on
 //                  `block_binding`. The active unit is as before. Below GL 4.4 the generic
 //                  UNIFORM_BUFFER binding is left on our buffer, as glBindBufferRange does
@@ -34,7 +35,7 @@ typedef struct tsu_gl tsu_gl;
 typedef void *(*tsu_gl_proc_fn)(void *user, const char *name);
 
 enum {
-    // Drain GL errors on entry (logged as the host's) and on exit (logged as ours), at most 32 each.
+    // Drain GL errors on entry (logged as the host's) and on exit (as ours), at most 32 each.
     TSU_GL_CHECK = 1
 };
 

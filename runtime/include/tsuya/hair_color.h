@@ -26,8 +26,8 @@ TSU_API tsu_status tsu_hair_albedo(tsu_context *context, double eta, const doubl
                                    double albedo[3]);
 
 // The inverse of tsu_hair_albedo(), solved on that very function: round trip within 1e-9.
-//   albedo    (least, 1]; the least is the surface reflection, which no pigment takes away (0.099 at
-//             eta 1.55); the log line of an error gives it
+//   albedo    (least, 1]; the least is the surface reflection, which no pigment takes away: 0.099
+//             at eta 1.55. The log line of an error gives it
 // This is the colour of a single fibre: a thick head of hair looks much lighter and more saturated.
 // Errors: TSU_E_PARAMETER. Threads: any.
 TSU_API tsu_status tsu_hair_sigma_a(tsu_context *context, double eta, const double albedo[3],

@@ -38,7 +38,8 @@ typedef struct tsu_set_desc {
 TSU_API tsu_status tsu_set_desc_init_sized(tsu_set_desc *desc, size_t size);
 #define tsu_set_desc_init(desc) tsu_set_desc_init_sized((desc), sizeof *(desc))
 
-// Make an empty set. Errors: TSU_E_STRUCT, TSU_E_PARAMETER, TSU_E_MEMORY. Threads: object (context).
+// Make an empty set. Errors: TSU_E_STRUCT, TSU_E_PARAMETER, TSU_E_MEMORY.
+// Threads: object, the context.
 TSU_API tsu_status tsu_set_create(tsu_context *context, const tsu_set_desc *desc, tsu_set **out);
 // Free a set; NULL is fine. GPU copies are the GL tier's. Threads: object.
 TSU_API void tsu_set_destroy(tsu_set *set);

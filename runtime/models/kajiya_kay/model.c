@@ -69,7 +69,8 @@ static double highlight_integral(double exponent, double cos_theta)
     double sum = 0.0;
     for (int i = 0; i < panels * TSU_I_QUADRATURE_PANEL; i++) {
         double weight;
-        const double at = tsu_i_quadrature_node(-0.5 * TSU_I_PI, 0.5 * TSU_I_PI, panels, i, &weight);
+        const double at =
+            tsu_i_quadrature_node(-0.5 * TSU_I_PI, 0.5 * TSU_I_PI, panels, i, &weight);
         sum += weight * pow(fmax(cos(at + theta), 0.0), exponent) * cos(at);
     }
     return 2.0 * TSU_I_PI * sum;
@@ -110,8 +111,9 @@ static void prepare(const void *from, void *to)
     record[5] = (float)y;
     record[6] = (float)z;
 
-    // The body's path and the highlight's integral as lines in the cosine. The latter is exact at 0,
-    // where a smaller value would make energy, and errs three times as much at 1 as, the other way, at 1/2.
+    // The body's path and the highlight's integral as lines in the cosine. The latter is exact at
+    // 0, where a smaller value would make energy, and errs three times as much at 1 as, the other
+    // way, at 1/2.
     const double near_path = path_at(p->eta, 0.87), far_path = path_at(p->eta, 0.4);
     const double path_slope = (near_path - far_path) / 0.47;
     record[8] = (float)(TSU_I_LOG2E * path_slope);
@@ -165,14 +167,15 @@ static void hair_params(const double *in, void *to)
 // by quadrature instead of the record's fits.
 static void hair_reference(const double *in, double *out)
 {
-    const double cos_i = fabs(cos(in[0])), cos_r = fabs(cos(in[1])), exponent = 1.0 / (in[6] * in[6]);
+    const double cos_i = fabs(cos(in[0])), cos_r = fabs(cos(in[1])),
+                 exponent = 1.0 / (in[6] * in[6]);
     const double shifted = in[1] - in[5];
     const double cone = cos(in[0]) * fabs(cos(shifted)) - sin(in[0]) * sin(shifted);
     double surface, kept;
     marschner_energy(in[3], fmax(cos_r, 1e-9), in[4], &surface, &kept);
     out[0] = (1.0 - surface) * kept * cos_i / (TSU_I_PI * TSU_I_PI);
-    out[1] = surface * pow(fmax(cone, 0.0), exponent) /
-             highlight_integral(exponent, fabs(cos(shifted)));
+    out[1] =
+        surface * pow(fmax(cone, 0.0), exponent) / highlight_integral(exponent, fabs(cos(shifted)));
     out[2] = out[0] + out[1];
 }
 
@@ -181,8 +184,8 @@ static const tsu_value_info hair_inputs[] = {
                    TSU_I_DEGREES(90), 0),
     TSU_I_FRAGMENT("theta_r", "rad", "inclination of the view", TSU_I_DEGREES(-90),
                    TSU_I_DEGREES(90), 0),
-    TSU_I_FRAGMENT("phi", "rad", "azimuth of the view from the light's; no part in this model", -1e6,
-                   1e6, 0),
+    TSU_I_FRAGMENT("phi", "rad", "azimuth of the view from the light's; no part in this model",
+                   -1e6, 1e6, 0),
     TSU_I_MATERIAL("eta", "1", "refractive index", 1.2, 2, 1.55),
     TSU_I_FRAGMENT("sigma_a", "1/radius", "absorption of one channel", 0, 1e6, 0.9061),
     TSU_I_MATERIAL("alpha_R", "rad", "shift of the highlight", TSU_I_DEGREES(-20),

@@ -67,41 +67,54 @@ static void longitudinal_gaussian(const double *in, double *out)
     out[0] = tsu_i_lobe_gaussian(in[0], in[1], in[2]);
 }
 
-#define THETA_I                                                                                   \
-    TSU_I_FRAGMENT("theta_i", "rad", "inclination of the light", TSU_I_DEGREES(-90), TSU_I_DEGREES(90), 0)
-#define THETA_R                                                                                   \
-    TSU_I_FRAGMENT("theta_r", "rad", "inclination of the view", TSU_I_DEGREES(-90), TSU_I_DEGREES(90), 0)
+#define THETA_I                                                                                    \
+    TSU_I_FRAGMENT("theta_i", "rad", "inclination of the light", TSU_I_DEGREES(-90),               \
+                   TSU_I_DEGREES(90), 0)
+#define THETA_R                                                                                    \
+    TSU_I_FRAGMENT("theta_r", "rad", "inclination of the view", TSU_I_DEGREES(-90),                \
+                   TSU_I_DEGREES(90), 0)
 #define PHI TSU_I_FRAGMENT("phi", "rad", "azimuth of the view from the light's", -1e6, 1e6, 0)
 #define ETA TSU_I_MATERIAL("eta", "1", "refractive index", 1.2, 2, 1.55)
-#define BETA_AZ                                                                                   \
-    TSU_I_MATERIAL("beta_az", "rad", "azimuthal deviation", TSU_I_DEGREES(5), TSU_I_DEGREES(30), TSU_I_DEGREES(10))
+#define BETA_AZ                                                                                    \
+    TSU_I_MATERIAL("beta_az", "rad", "azimuthal deviation", TSU_I_DEGREES(5), TSU_I_DEGREES(30),   \
+                   TSU_I_DEGREES(10))
 #define SIGMA_A TSU_I_FRAGMENT("sigma_a", "1/radius", "absorption of one channel", 0, 1e6, 0.9061)
 
 static const tsu_value_info hair_inputs[] = {
-    THETA_I, THETA_R, PHI, ETA, SIGMA_A,
-    TSU_I_MATERIAL("alpha_R", "rad", "shift of R", TSU_I_DEGREES(-20), TSU_I_DEGREES(20), TSU_I_DEGREES(-7.5)),
-    TSU_I_MATERIAL("beta_R", "rad", "deviation of R", TSU_I_DEGREES(2), TSU_I_DEGREES(30), TSU_I_DEGREES(7.5)), BETA_AZ};
+    THETA_I,
+    THETA_R,
+    PHI,
+    ETA,
+    SIGMA_A,
+    TSU_I_MATERIAL("alpha_R", "rad", "shift of R", TSU_I_DEGREES(-20), TSU_I_DEGREES(20),
+                   TSU_I_DEGREES(-7.5)),
+    TSU_I_MATERIAL("beta_R", "rad", "deviation of R", TSU_I_DEGREES(2), TSU_I_DEGREES(30),
+                   TSU_I_DEGREES(7.5)),
+    BETA_AZ};
 static const tsu_value_info hair_outputs[] = {
     TSU_I_OUTPUT("R", "1/sr", "surface reflection"), TSU_I_OUTPUT("TT", "1/sr", "straight through"),
     TSU_I_OUTPUT("TRT", "1/sr", "one internal reflection"),
-    TSU_I_OUTPUT("RES", "1/sr", "two and more internal reflections"), TSU_I_OUTPUT("total", "1/sr", "the sum")};
+    TSU_I_OUTPUT("RES", "1/sr", "two and more internal reflections"),
+    TSU_I_OUTPUT("total", "1/sr", "the sum")};
 static const tsu_value_info azimuthal_inputs[] = {
-    ETA, TSU_I_FRAGMENT("theta_d", "rad", "inclination", TSU_I_DEGREES(-90), TSU_I_DEGREES(90), 0), SIGMA_A,
-    BETA_AZ, PHI};
+    ETA, TSU_I_FRAGMENT("theta_d", "rad", "inclination", TSU_I_DEGREES(-90), TSU_I_DEGREES(90), 0),
+    SIGMA_A, BETA_AZ, PHI};
 static const tsu_value_info azimuthal_outputs[] = {
-    TSU_I_OUTPUT("R", "1/rad", "surface reflection"), TSU_I_OUTPUT("TT", "1/rad", "straight through"),
+    TSU_I_OUTPUT("R", "1/rad", "surface reflection"),
+    TSU_I_OUTPUT("TT", "1/rad", "straight through"),
     TSU_I_OUTPUT("TRT", "1/rad", "one internal reflection"),
     TSU_I_OUTPUT("RES", "1/rad", "N_3 + Abar_>=4 / (2 pi)")};
 static const tsu_value_info longitudinal_inputs[] = {
     THETA_I, THETA_R,
-    TSU_I_MATERIAL("beta", "rad", "deviation", TSU_I_DEGREES(2), TSU_I_DEGREES(30), TSU_I_DEGREES(7.5))};
+    TSU_I_MATERIAL("beta", "rad", "deviation", TSU_I_DEGREES(2), TSU_I_DEGREES(30),
+                   TSU_I_DEGREES(7.5))};
 static const tsu_value_info longitudinal_outputs[] = {TSU_I_OUTPUT("M", "1/rad", "d'Eon's lobe")};
 
 #define COUNT(array) (uint32_t)(sizeof(array) / sizeof *(array))
-#define INFO(n, h, in, out, f)                                                                    \
-    {                                                                                             \
-        .struct_size = sizeof(tsu_function_info), .flags = f, .name = n, .help = h, .input_count = COUNT(in), \
-        .output_count = COUNT(out)                                                                \
+#define INFO(n, h, in, out, f)                                                                     \
+    {                                                                                              \
+        .struct_size = sizeof(tsu_function_info), .flags = f, .name = n, .help = h,                \
+        .input_count = COUNT(in), .output_count = COUNT(out)                                       \
     }
 
 const struct tsu_i_function tsu_i_marschner_functions[MARSCHNER_FUNCTIONS] = {
@@ -111,8 +124,8 @@ const struct tsu_i_function tsu_i_marschner_functions[MARSCHNER_FUNCTIONS] = {
      .params = hair_params,
      .reference = hair_reference,
      .sampled = tsu_i_marschner_hair},
-    {.info = INFO("hair-azimuthal", "N(phi) of the four lobes", azimuthal_inputs,
-                  azimuthal_outputs, 0),
+    {.info =
+         INFO("hair-azimuthal", "N(phi) of the four lobes", azimuthal_inputs, azimuthal_outputs, 0),
      .inputs = azimuthal_inputs,
      .outputs = azimuthal_outputs,
      .params = azimuthal_params,
@@ -138,9 +151,10 @@ const struct tsu_i_function tsu_i_marschner_functions[MARSCHNER_FUNCTIONS] = {
      .outputs = hair_outputs,
      .params = hair_params,
      .reference = hair_gaussian},
-    {.info = INFO("longitudinal-gaussian", "Marschner's Gaussian divided by its normaliser; "
-                  "reference only", longitudinal_inputs, longitudinal_outputs,
-                  TSU_FUNCTION_REFERENCE_ONLY),
+    {.info = INFO("longitudinal-gaussian",
+                  "Marschner's Gaussian divided by its normaliser; "
+                  "reference only",
+                  longitudinal_inputs, longitudinal_outputs, TSU_FUNCTION_REFERENCE_ONLY),
      .inputs = longitudinal_inputs,
      .outputs = longitudinal_outputs,
      .params = longitudinal_params,

@@ -61,8 +61,8 @@ static const struct tsu_i_table tables[] = {
      .bake = tsu_i_marschner_bake,
      .finish = tsu_i_marschner_finish}};
 
-static const struct tsu_i_measure measures[] = {
-    {"azimuthal_all", tsu_i_marschner_worst}, {"residual_all", tsu_i_marschner_worst_residual}};
+static const struct tsu_i_measure measures[] = {{"azimuthal_all", tsu_i_marschner_worst},
+                                                {"residual_all", tsu_i_marschner_worst_residual}};
 
 static const char *const snippets[] = {"marschner/longitudinal.glsl", "marschner/azimuthal.glsl",
                                        "marschner/eval.glsl", NULL};
@@ -112,8 +112,9 @@ const struct tsu_model tsu_i_model_marschner = {
     .info = {.struct_size = sizeof(tsu_model_info),
              .name = "marschner",
              .title = "Marschner fibre (R, TT, TRT, residual)",
-             .source = "Marschner et al. 2003, Light Scattering from Human Hair Fibers; d'Eon et al. "
-                       "2011, An Energy-Conserving Hair Reflectance Model",
+             .source =
+                 "Marschner et al. 2003, Light Scattering from Human Hair Fibers; d'Eon et al. "
+                 "2011, An Energy-Conserving Hair Reflectance Model",
              .params_size = sizeof(params),
              .parameter_count = sizeof parameters / sizeof *parameters,
              .table_count = sizeof tables / sizeof *tables,

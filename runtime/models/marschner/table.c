@@ -27,13 +27,13 @@ static int panels_for(float beta)
 
 static const double tt_sigma[2] = {0.5, 2.0};
 static const double trt_sigma = 0.5;
-// The residual mixes paths of very different length near grazing: an exponential exact at sigma_a = 0
-// would err by 4 % of its peak. These are in units of the row's mean path; they leave 1.8 %.
+// The residual mixes paths of very different length near grazing: an exponential exact at sigma_a =
+// 0 would err by 4 % of its peak. These are in units of the row's mean path; they leave 1.8 %.
 static const double res_sigma[2] = {0.14, 1.45};
 
 // What all rays of a row share.
 struct spread {
-    float phi[WIDTH];             // of the columns, radians
+    float phi[WIDTH];               // of the columns, radians
     unsigned char column[BINS + 1]; // last column at or before phi = bin pi/BINS
     float beta;
 };
@@ -45,8 +45,10 @@ static float exp_minus(float x)
     const float y = -1.44269504f * x;
     const float rounded = (y + 12582912.0f) - 12582912.0f;
     const float f = y - rounded;
-    const float p = 1.0f + f * (0.693147181f + f * (0.240226507f + f * (0.0555041087f +
-                    f * (0.00961812911f + f * 0.00133335581f))));
+    const float p =
+        1.0f +
+        f * (0.693147181f +
+             f * (0.240226507f + f * (0.0555041087f + f * (0.00961812911f + f * 0.00133335581f))));
     const int32_t exponent = ((int32_t)rounded + 127) << 23;
     float scale;
     memcpy(&scale, &exponent, sizeof scale);
@@ -98,8 +100,9 @@ static void deposit_ray(const struct spread *s, double exit, int count, const fl
     deposit(s, 2.0 * TSU_I_PI - phi, count, weights, sums);
 }
 
-// At grazing view the residual's mean path grows without limit; past this length nothing is left of it
-// at any absorption that the eye can tell from none, and halves stay exact enough to interpolate.
+// At grazing view the residual's mean path grows without limit; past this length nothing is left of
+// it at any absorption that the eye can tell from none, and halves stay exact enough to
+// interpolate.
 #define LONGEST 48.0
 
 // Effective path -ln(part/whole)/sigma; where both vanish in the Gaussian's tail, that of the mean.
@@ -182,8 +185,8 @@ void tsu_i_marschner_bake(const void *opaque, uint32_t unit, float *texels)
     scatter(opaque, unit, &row);
     for (int i = 0; i < WIDTH; i++) {
         float *n = texels + 4 * i, *lengths = texels + 4 * (WIDTH + i);
-        const double res_path = path(row.res[1][i], row.res[0][i], row.mean_res,
-                                     row.res_sigma[1] - row.res_sigma[0]);
+        const double res_path =
+            path(row.res[1][i], row.res[0][i], row.mean_res, row.res_sigma[1] - row.res_sigma[0]);
         n[0] = row.r[0][i];
         n[1] = row.tt[0][i];
         n[2] = row.trt[0][i];
@@ -200,9 +203,9 @@ void tsu_i_marschner_bake(const void *opaque, uint32_t unit, float *texels)
 }
 
 // Knots for bilinear interpolation: a share of the second difference is taken off along each axis,
-// which halves the largest error of interpolating the samples themselves. A sixteenth would do for a
-// parabola; 1/13 balances the error at and between the knots on the caustics, the sharpest ridges of
-// the table. Even in phi at both ends.
+// which halves the largest error of interpolating the samples themselves. A sixteenth would do for
+// a parabola; 1/13 balances the error at and between the knots on the caustics, the sharpest ridges
+// of the table. Even in phi at both ends.
 void tsu_i_marschner_finish(float *texels)
 {
     static const int pitch = 4 * WIDTH;
@@ -224,8 +227,9 @@ void tsu_i_marschner_finish(float *texels)
     }
 }
 
-// Largest error over phi (between the columns) at theta_r between the rows and a spread of absorptions:
-// of R+TT+TRT in units of their peak, of the residual in units of its peak without absorption.
+// Largest error over phi (between the columns) at theta_r between the rows and a spread of
+// absorptions: of R+TT+TRT in units of their peak, of the residual in units of its peak without
+// absorption.
 static double worst(const void *opaque, const struct tsu_i_texels *tables, int residual)
 {
     static const double sigmas[] = {0.0, 0.1, 0.3, 0.7, 1.2, 2.0, 3.2, 5.0};

@@ -7,7 +7,8 @@
 // cone is theta_r = -theta_i: cos(theta_i - theta_o) reads cos(theta_i + theta_r - alpha_R), the
 // shift as in Marschner's R; a shifted view past a pole comes back on the other side.
 //
-//   value = (1 - k_R) exp(-sigma_a s) cos(theta_i) / pi^2 + k_R cos^n(theta_i + theta_r - alpha_R) / E
+//   value = (1 - k_R) exp(-sigma_a s) cos(theta_i) / pi^2
+//           + k_R cos^n(theta_i + theta_r - alpha_R) / E
 //
 // S cos(theta_i) in 1/sr as for every model. k_R(theta_r) is Marschner's surface reflection, E the
 // integral of the highlight, s(theta_r) the path that gives the body Marschner's albedo, n =
@@ -28,14 +29,14 @@ typedef struct tsu_kajiya_kay_params {
     uint32_t struct_size; // set by tsu_kajiya_kay_params_init()
     uint32_t flags;       // 0
     float eta;            // refractive index, [1.2, 2], default 1.55
-    float alpha_R;        // shift of the highlight in theta_i + theta_r, radians, [-20, 20] degrees,
-                          // default -7.5
-    float beta_R;         // deviation of the highlight, radians, [2, 30] degrees, default 7.5
-    float sigma_a[3];     // absorption per fibre radius, linear RGB, [0, 1e6], default brown hair
+    float alpha_R;    // shift of the highlight in theta_i + theta_r, radians, [-20, 20] degrees,
+                      // default -7.5
+    float beta_R;     // deviation of the highlight, radians, [2, 30] degrees, default 7.5
+    float sigma_a[3]; // absorption per fibre radius, linear RGB, [0, 1e6], default brown hair
 } tsu_kajiya_kay_params;
 
 TSU_API const tsu_model *tsu_kajiya_kay(void);
-#define tsu_kajiya_kay_params_init(params)                                                        \
+#define tsu_kajiya_kay_params_init(params)                                                         \
     tsu_model_params_init(tsu_kajiya_kay(), (params), sizeof *(params))
 
 #ifdef __cplusplus

@@ -19,8 +19,9 @@
 // Tables: azimuthal, 128 x 128 RGBA16F = 128 KiB, depends on eta and beta_az alone. Colour, shift
 //         and longitudinal roughness are free.
 // GLSL:   tsu_marschner_eval, tsu_marschner_sum, tsu_marschner_sigma_a; two fetches a light.
-//         The residual, 1 to 14 % of the light, is evaluated with TRT's longitudinal lobe (shift -3/2
-//         alpha_R): exact in energy, its highlight off by alpha_R. TSU_SHADER_FINE gives it its own.
+//         The residual, 1 to 14 % of the light, is evaluated with TRT's longitudinal lobe (shift
+//         -3/2 alpha_R): exact in energy, its highlight off by alpha_R. TSU_SHADER_FINE gives it
+//         its own.
 // Errors: in the model's error table (tsu_model_error), measured by tests/models/marschner.
 #ifndef TSUYA_MODELS_MARSCHNER_H
 #define TSUYA_MODELS_MARSCHNER_H
@@ -35,21 +36,21 @@ typedef struct tsu_marschner_params {
     uint32_t struct_size; // set by tsu_marschner_params_init()
     uint32_t flags;       // TSU_MARSCHNER_* bits, 0 by default
     float eta;            // refractive index, [1.2, 2], default 1.55
-    float alpha_R;        // shift of R in theta_i + theta_r, radians, [-20, 20] degrees, default -7.5
-    float beta_R;         // deviation of R in theta_i + theta_r, radians, [2, 30] degrees, default 7.5
-    float beta_az;        // azimuthal deviation, radians, [5, 30] degrees, default 10
-    float sigma_a[3];     // absorption per fibre radius, linear RGB, [0, 1e6], default brown hair
-    float reserved;       // 0
+    float alpha_R;    // shift of R in theta_i + theta_r, radians, [-20, 20] degrees, default -7.5
+    float beta_R;     // deviation of R in theta_i + theta_r, radians, [2, 30] degrees, default 7.5
+    float beta_az;    // azimuthal deviation, radians, [5, 30] degrees, default 10
+    float sigma_a[3]; // absorption per fibre radius, linear RGB, [0, 1e6], default brown hair
+    float reserved;   // 0
 } tsu_marschner_params;
 
 enum {
     // Shifts that real tilted scales show in place of the textbook's: alpha_p = (1, -0.92, -3.2,
-    // -1.2) alpha_R. Source: ray tracing of stacked cone frusta with 3 degree scales, GGX and smooth.
+    // -1.2) alpha_R. Source: ray tracing of stacked cone frusta with scales of 3 degrees.
     TSU_MARSCHNER_SCALE_SHIFTS = 1
 };
 
 TSU_API const tsu_model *tsu_marschner(void);
-#define tsu_marschner_params_init(params)                                                         \
+#define tsu_marschner_params_init(params)                                                          \
     tsu_model_params_init(tsu_marschner(), (params), sizeof *(params))
 
 #ifdef __cplusplus
