@@ -1,23 +1,22 @@
 // SPDX-License-Identifier: MIT
 // Azimuthal scattering of the four lobes from the baked table: two fetches, any absorption.
 //
-// The table of a material is one cell of 128 x 128 texels in two bands of 64 rows:
-//   lower  N of R, TT, TRT and the residual at sigma_a = 0, 1/rad
-//   upper  absorption of TT, TRT, residual as exponents of 2 (below)
+// The table of a material is one cell of 128 x 128 texels in two bands:
+//   lower, 80 rows  N of R, TT, TRT and the residual at sigma_a = 0, 1/rad
+//   upper, 48 rows  absorption of TT, TRT, residual as exponents of 2 (below), which is smoother
 // over  x = sin(phi/2) - cos(phi/2) in [-1, 1] (nearly linear in phi, and no acos)
 //       y = cos(theta_r) in [0, 1].
 
-// tables
-//   origin    texture coordinates of the cell's band centre in x and first row in y
+//   origin    texture coordinates of the cell's centre column and of the bands' first rows
+//   size      half width of the cell and heights of the bands, from texel centre to texel centre
 //   cos_r     cosine of the view's inclination
 //   cos2_half cos^2(phi/2), in [0, 1]
-void tsu_marschner_azimuthal(vec2 origin, float cos_r, float cos2_half, out vec4 n, out vec4 path)
+void tsu_marschner_azimuthal(vec3 origin, vec3 size, float cos_r, float cos2_half, out vec4 n,
+                             out vec4 path)
 {
-    float x = sqrt(1.0 - cos2_half) - sqrt(cos2_half);
-    vec4 band = TSU_PAGE(1);
-    vec2 at = vec2(x * band.x + origin.x, cos_r * band.y + origin.y);
-    n = textureLod(tsu_tables, at, 0.0);
-    path = textureLod(tsu_tables, vec2(at.x, at.y + band.z), 0.0);
+    float x = (sqrt(1.0 - cos2_half) - sqrt(cos2_half)) * size.x + origin.x;
+    n = textureLod(tsu_tables, vec2(x, cos_r * size.y + origin.y), 0.0);
+    path = textureLod(tsu_tables, vec2(x, cos_r * size.z + origin.z), 0.0);
 }
 
 // Exponents of 2 after absorption. path = (L, V, L_TRT, L_RES) in units of log2(e) fibre radii:

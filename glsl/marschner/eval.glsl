@@ -4,9 +4,10 @@
 // Record of a material (a, b, c as in longitudinal.glsl):
 //   0  a, b, c of R, origin.x of the table in the texture
 //   1  a, b, c of TT, origin.y
-//   2  a, b, c of TRT, 0
-//   3  sigma_a of the material (linear RGB), eta
-//   4  a, b of the residual, for TSU_FINE; its c is TRT's
+//   2  a, b, c of TRT, origin.z
+//   3  size of the table (x, y, z as in azimuthal.glsl), eta
+//   4  sigma_a of the material (linear RGB)
+//   5  a, b of the residual, for TSU_FINE; its c is TRT's
 
 struct tsu_marschner_lobes {
     float r;   // surface reflection, no colour
@@ -30,6 +31,7 @@ tsu_marschner_lobes tsu_marschner_eval(int material, vec3 t, vec3 l, vec3 v, vec
     vec4 r = TSU_RECORD(material, 0);
     vec4 tt = TSU_RECORD(material, 1);
     vec4 trt = TSU_RECORD(material, 2);
+    vec4 size = TSU_RECORD(material, 3);
 
     // 1.00000036 is not the square of a float: the roots never reach 0, also where rounding makes
     // a sine exceed 1, and the division below stays finite. It shifts cos^2 by 4e-7.
@@ -42,7 +44,7 @@ tsu_marschner_lobes tsu_marschner_eval(int material, vec3 t, vec3 l, vec3 v, vec
     // cos(phi) = (l.v - sin_i sin_r) / (cos_i cos_r); cos^2(phi/2) = (1 + cos(phi)) / 2
     float cos2_half = clamp(0.5 * ((dot(l, v) - products.z + products.x) / products.x), 0.0, 1.0);
     vec4 n, path;
-    tsu_marschner_azimuthal(vec2(r.w, tt.w), cos_r, cos2_half, n, path);
+    tsu_marschner_azimuthal(vec3(r.w, tt.w, trt.w), size.xyz, cos_r, cos2_half, n, path);
 
     tsu_marschner_lobes lobes;
     float exponent, factor;
@@ -54,7 +56,7 @@ tsu_marschner_lobes tsu_marschner_eval(int material, vec3 t, vec3 l, vec3 v, vec
     lobes.trt = n.z * factor * exp2(tsu_marschner_absorb(path.z, sigma_a, exponent));
 #ifdef TSU_FINE
     // The residual's own shift; without this it shares TRT's lobe and saves ten instructions.
-    vec4 res = TSU_RECORD(material, 4);
+    vec4 res = TSU_RECORD(material, 5);
     tsu_marschner_longitudinal(products, res.x, res.y, trt.z, exponent, factor);
 #endif
     lobes.res = n.w * factor * exp2(tsu_marschner_absorb(path.w, sigma_a, exponent));
@@ -69,5 +71,5 @@ vec3 tsu_marschner_sum(tsu_marschner_lobes lobes)
 // The material's own absorption, for hosts without a colour per fragment.
 vec3 tsu_marschner_sigma_a(int material)
 {
-    return TSU_RECORD(material, 3).xyz;
+    return TSU_RECORD(material, 4).xyz;
 }

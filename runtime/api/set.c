@@ -133,8 +133,7 @@ static void write_header(tsu_set *set, struct page *page)
     const float w = (float)set->pool.width, h = (float)set->pool.height;
     if (w == 0.0f || h == 0.0f)
         return;
-    // 62.9999 and not 63: a coordinate that rounds past 1 must not reach the next band's first row.
-    const float header[8] = {1.0f / w, 1.0f / h, w, h, 63.5f / w, 62.9999f / h, 64.0f / h, 0.0f};
+    const float header[4] = {1.0f / w, 1.0f / h, w, h};
     memcpy(page->values, header, sizeof header);
     page->generation = ++set->generation;
 }

@@ -169,7 +169,7 @@ static void a_thousand_materials_fill_eight_pages(void **state)
         const float *page = tsu_set_page(r.set, i / TSU_PAGE_MATERIALS, NULL);
         const float *record = page + (i % TSU_PAGE_MATERIALS + 1) * TSU_RECORD_VEC4 * 4;
         assert_ptr_equal(record, tsu_set_record(r.set, i));
-        assert_true(record[12] == (float)i); // sigma_a, as eval.glsl reads it
+        assert_true(record[16] == (float)i); // sigma_a, as eval.glsl reads it
         assert_true(record + TSU_RECORD_VEC4 * 4 <= page + TSU_PAGE_VEC4 * 4);
         const tsu_region mine = rig_region_of(&r, i), first = rig_region_of(&r, i % 4);
         assert_true(mine.x == first.x && mine.y == first.y);

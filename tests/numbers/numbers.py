@@ -77,7 +77,7 @@ def azimuthal():
                                  max(abs(r['RES'] - s['RES']) for r, s in zip(a, b)) / white)
     report('gpu N, R+TT+TRT, of its peak over phi', 100 * worst, 0.5, ' %')
     report('gpu N, energy of a lobe, of the total', 100 * worst_energy, 0.5, ' %')
-    report('gpu N, residual, of its peak over phi at sigma_a 0', 100 * worst_residual, 2.8, ' %')
+    report('gpu N, residual, of its peak over phi at sigma_a 0', 100 * worst_residual, 2.0, ' %')
 
 
 def longitudinal():

@@ -49,7 +49,7 @@ static const tsu_error_info errors[] = {
 static const struct tsu_i_table tables[] = {
     {.info = {.struct_size = sizeof(tsu_table_info),
               .name = "azimuthal",
-              .axes = "x sin(phi/2) - cos(phi/2) in [-1, 1]; y two bands of cos(theta_r) in [0, 1]",
+              .axes = "x sin(phi/2) - cos(phi/2) in [-1, 1]; y two bands of cos(theta_r) in [0, 1], 80 and 48 rows",
               .channels = "lower band N of R, TT, TRT, residual (1/rad); upper band L, V of TT, L "
                           "of TRT, L of the residual (log2(e) fibre radii)",
               .width = MARSCHNER_WIDTH,
@@ -57,7 +57,7 @@ static const struct tsu_i_table tables[] = {
               .bytes = MARSCHNER_WIDTH * MARSCHNER_HEIGHT * 8},
      .key_offset = offsetof(struct marschner_state, eta),
      .key_size = 2 * sizeof(float),
-     .units = MARSCHNER_BAND,
+     .units = MARSCHNER_HEIGHT,
      .bake = tsu_i_marschner_bake,
      .finish = tsu_i_marschner_finish}};
 
@@ -99,13 +99,18 @@ static void record(const void *from, const struct tsu_i_place *places, float *ou
         // 3.09446921: scale of I0e's fit, see glsl/marschner/longitudinal.glsl.
         out[4 * p + 2] = (float)(log2(c) - TSU_I_LOG2E / v - 0.5 * log2(3.09446921));
     }
-    out[3] = ((float)places->x + 64.0f) / (float)places->width;
-    out[7] = ((float)places->y + 0.5f) / (float)places->height;
-    memcpy(out + 12, state->sigma_a, sizeof state->sigma_a);
+    const float width = (float)places->width, height = (float)places->height;
+    out[3] = ((float)places->x + 64.0f) / width;
+    out[7] = ((float)places->y + 0.5f) / height;
+    out[11] = ((float)places->y + (float)MARSCHNER_ROWS + 0.5f) / height;
+    out[12] = 63.5f / width;
+    out[13] = MARSCHNER_SPAN(MARSCHNER_ROWS) / height;
+    out[14] = MARSCHNER_SPAN(MARSCHNER_PATH_ROWS) / height;
     out[15] = state->eta;
+    memcpy(out + 16, state->sigma_a, sizeof state->sigma_a);
     const double v = state->beta[TSU_I_RES] * state->beta[TSU_I_RES];
-    out[16] = (float)(TSU_I_LOG2E * cos(state->alpha[TSU_I_RES]) / v);
-    out[17] = (float)(TSU_I_LOG2E * sin(state->alpha[TSU_I_RES]) / v);
+    out[20] = (float)(TSU_I_LOG2E * cos(state->alpha[TSU_I_RES]) / v);
+    out[21] = (float)(TSU_I_LOG2E * sin(state->alpha[TSU_I_RES]) / v);
 }
 
 const struct tsu_model tsu_i_model_marschner = {

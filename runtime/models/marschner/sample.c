@@ -30,9 +30,10 @@ static void azimuthal(const struct tsu_i_texels *table, float cos_r, float cos2_
                       float path[4])
 {
     const float x = sqrtf(1.0f - cos2_half) - sqrtf(cos2_half);
-    const float column = x * 63.5f + 63.5f, row = cos_r * 62.9999f;
-    fetch(table, column, row, n);
-    fetch(table, column, row + (float)MARSCHNER_BAND, path);
+    const float column = x * 63.5f + 63.5f;
+    fetch(table, column, cos_r * MARSCHNER_SPAN(MARSCHNER_ROWS), n);
+    fetch(table, column,
+          cos_r * MARSCHNER_SPAN(MARSCHNER_PATH_ROWS) + (float)MARSCHNER_ROWS, path);
 }
 
 static float absorb_tt(const float path[4], float sigma_a, float exponent)
@@ -83,7 +84,7 @@ static void hair(const float *record, const struct tsu_i_texels *tables, const d
     longitudinal(products, record + 8, &exponent, &factor);
     out[2] = n[2] * factor * exp2f(exponent - path[2] * sigma_a);
     if (fine) {
-        const float own[3] = {record[16], record[17], record[10]};
+        const float own[3] = {record[20], record[21], record[10]};
         longitudinal(products, own, &exponent, &factor);
     }
     out[3] = n[3] * factor * exp2f(exponent - path[3] * sigma_a);

@@ -4,7 +4,17 @@
 
 #include "models/model.h"
 
-enum { MARSCHNER_WIDTH = 128, MARSCHNER_HEIGHT = 128, MARSCHNER_BAND = 64 };
+// The table's cell: a band of N below a band of paths, which are smoother and get fewer rows.
+enum {
+    MARSCHNER_WIDTH = 128,
+    MARSCHNER_HEIGHT = 128,
+    MARSCHNER_ROWS = 80,
+    MARSCHNER_PATH_ROWS = MARSCHNER_HEIGHT - MARSCHNER_ROWS
+};
+
+// Texels from a band's first row to its last. A little less than there are: a cosine that rounds past
+// 1 must not reach the next band.
+#define MARSCHNER_SPAN(rows) ((float)(rows) - 1.0001f)
 
 struct marschner_state {
     float eta, beta_az; // key of the table: keep these two together and first

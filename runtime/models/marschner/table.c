@@ -1,12 +1,12 @@
 // The azimuthal table: N without absorption, and effective path lengths that carry any absorption.
 //
-// Lower band (rows 0..63): N_R, N_TT, N_TRT, N_RES at sigma_a = 0, 1/rad.
-// Upper band: log2(e) times
+// Lower band, 80 rows: N_R, N_TT, N_TRT, N_RES at sigma_a = 0, 1/rad.
+// Upper band, 48 rows: log2(e) times
 //   L, V   of TT:  ln(N_TT(sigma)/N_TT(0)) / sigma = V sigma - L, exact at sigma_a 0.5 and 2
 //   L_TRT          the same without V, exact at sigma_a 0.5
 //   L_RES          with N_RES: the exponential through the true values at two absorptions of the
 //                  row (below), close to the one with the least error over all absorptions
-// Columns: sin(phi/2) - cos(phi/2) = -1 + 2 i/127. Rows: cos(theta_r) = j/63.
+// Columns: sin(phi/2) - cos(phi/2) = -1 + 2 i/127. Rows: cos(theta_r) = j/79 and j/47.
 #include "models/marschner/state.h"
 
 #include "optics/angle.h"
@@ -119,15 +119,13 @@ struct row {
     double res_sigma[2];
 };
 
-static void scatter(const struct marschner_state *state, uint32_t band_row, struct row *row)
+static void scatter(const struct marschner_state *state, double cos_theta, struct row *row)
 {
     struct spread spread;
     struct tsu_i_ray rays[RAYS];
     const int panels = panels_for(state->beta_az), count = panels * TSU_I_QUADRATURE_PANEL;
     prepare_columns(&spread, state->beta_az);
 
-    // Row 0 is the limit of grazing view: everything is reflected.
-    const double cos_theta = fmax((double)band_row / (MARSCHNER_BAND - 1), 1e-4);
     const double norm = 1.0 / (state->beta_az * sqrt(2.0 * TSU_I_PI));
     double sums[4][3] = {{0}}, rest[2] = {0};
     memset(row, 0, sizeof *row);
@@ -181,24 +179,32 @@ static void scatter(const struct marschner_state *state, uint32_t band_row, stru
 
 void tsu_i_marschner_bake(const void *opaque, uint32_t unit, float *texels)
 {
+    const int is_path = unit >= MARSCHNER_ROWS;
+    const double cos_theta = is_path
+                                 ? (double)(unit - MARSCHNER_ROWS) / (MARSCHNER_PATH_ROWS - 1)
+                                 : (double)unit / (MARSCHNER_ROWS - 1);
     struct row row;
-    scatter(opaque, unit, &row);
+    // Row 0 is the limit of grazing view: everything is reflected.
+    scatter(opaque, fmax(cos_theta, 1e-4), &row);
     for (int i = 0; i < WIDTH; i++) {
-        float *n = texels + 4 * i, *lengths = texels + 4 * (WIDTH + i);
+        float *texel = texels + 4 * i;
         const double res_path =
             path(row.res[1][i], row.res[0][i], row.mean_res, row.res_sigma[1] - row.res_sigma[0]);
-        n[0] = row.r[0][i];
-        n[1] = row.tt[0][i];
-        n[2] = row.trt[0][i];
-        n[3] = row.res[0][i] * (float)exp(res_path * row.res_sigma[0]);
+        if (!is_path) {
+            texel[0] = row.r[0][i];
+            texel[1] = row.tt[0][i];
+            texel[2] = row.trt[0][i];
+            texel[3] = row.res[0][i] * (float)exp(res_path * row.res_sigma[0]);
+            continue;
+        }
         const double near_l = path(row.tt[1][i], row.tt[0][i], row.mean_tt[0], tt_sigma[0]);
         const double far_l = path(row.tt[2][i], row.tt[0][i], row.mean_tt[1], tt_sigma[1]);
         const double v = fmax(0.0, (near_l - far_l) / (tt_sigma[1] - tt_sigma[0]));
-        lengths[0] = (float)(TSU_I_LOG2E * (near_l + v * tt_sigma[0]));
-        lengths[1] = (float)(TSU_I_LOG2E * v);
-        lengths[2] =
+        texel[0] = (float)(TSU_I_LOG2E * (near_l + v * tt_sigma[0]));
+        texel[1] = (float)(TSU_I_LOG2E * v);
+        texel[2] =
             (float)(TSU_I_LOG2E * path(row.trt[1][i], row.trt[0][i], row.mean_trt, trt_sigma));
-        lengths[3] = (float)(TSU_I_LOG2E * res_path);
+        texel[3] = (float)(TSU_I_LOG2E * res_path);
     }
 }
 
@@ -211,7 +217,7 @@ void tsu_i_marschner_finish(float *texels)
     static const int pitch = 4 * WIDTH;
     float before[4 * WIDTH], now[4 * WIDTH];
     memcpy(before, texels, sizeof before);
-    for (int j = 0; j < MARSCHNER_BAND; j++) {
+    for (int j = 0; j < MARSCHNER_ROWS; j++) {
         float *row = texels + j * pitch;
         memcpy(now, row, sizeof now);
         for (int i = 0; i < WIDTH; i++)
@@ -219,7 +225,7 @@ void tsu_i_marschner_finish(float *texels)
                 const int left = i > 0 ? i - 1 : 1, right = i < WIDTH - 1 ? i + 1 : WIDTH - 2;
                 const float value = now[4 * i + k];
                 float bend = now[4 * left + k] - 2.0f * value + now[4 * right + k];
-                if (j > 0 && j < MARSCHNER_BAND - 1)
+                if (j > 0 && j < MARSCHNER_ROWS - 1)
                     bend += before[4 * i + k] - 2.0f * value + row[pitch + 4 * i + k];
                 row[4 * i + k] = fmaxf(value - bend * (1.0f / 13.0f), 0.5f * value);
             }
@@ -235,8 +241,8 @@ static double worst(const void *opaque, const struct tsu_i_texels *tables, int r
     static const double sigmas[] = {0.0, 0.1, 0.3, 0.7, 1.2, 2.0, 3.2, 5.0};
     const struct marschner_state *state = opaque;
     double largest = 0.0;
-    for (int row = 5; row < MARSCHNER_BAND - 1; row += 3) {
-        const double cos_theta = (row + 0.5) / (MARSCHNER_BAND - 1);
+    for (int row = 7; row < MARSCHNER_ROWS - 1; row += 4) {
+        const double cos_theta = (row + 0.5) / (MARSCHNER_ROWS - 1);
         double peak = 0.0;
         for (size_t s = 0; s < sizeof sigmas / sizeof *sigmas; s++) {
             const double sigma_a = residual ? 0.1 * sigmas[s] : sigmas[s];
