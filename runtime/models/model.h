@@ -45,6 +45,7 @@ struct tsu_i_measure {
 struct tsu_i_function {
     tsu_function_info info;
     const tsu_value_info *inputs, *outputs;
+    const char *probe; // glsl file with tsu_probe(); NULL: reference only
     // Material parameters out of checked inputs, over initialised `params`.
     void (*params)(const double *in, void *params);
     void (*reference)(const double *in, double *out);

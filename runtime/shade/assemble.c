@@ -210,20 +210,6 @@ static void put_main(const struct assembler *a)
     put(a, "    o = vec4(sum, 1.0);\n}\n");
 }
 
-static tsu_status put_probe(const struct assembler *a)
-{
-    char name[96];
-    struct tsu_i_line line = {name, sizeof name, 0};
-    tsu_i_line_put(&line, a->desc->models[0]->info.name);
-    tsu_i_line_put(&line, "/probe_");
-    tsu_i_line_put(&line, a->desc->models[0]->functions[a->desc->function].info.name);
-    tsu_i_line_put(&line, ".glsl");
-    for (size_t i = 0; i < line.size; i++)
-        if (name[i] == '-')
-            name[i] = '_';
-    return put_file(a, name);
-}
-
 tsu_status tsu_i_assemble(const tsu_context *context, const tsu_shader_desc *desc,
                           struct tsu_i_assembly *out)
 {
@@ -247,7 +233,7 @@ tsu_status tsu_i_assemble(const tsu_context *context, const tsu_shader_desc *des
              *file && status == TSU_OK && !listed_before(desc, i); file++)
             status = put_file(&a, *file);
     if (status == TSU_OK && desc->flags & TSU_SHADER_PROBE)
-        status = put_probe(&a);
+        status = put_file(&a, desc->models[0]->functions[desc->function].probe);
     if (harness && status == TSU_OK) {
         put_line(&a, 0);
         put_main(&a);

@@ -84,21 +84,35 @@ static void compare(tsu_gl *gl, tsu_set *set, uint32_t material,
         fail_msg("GPU and C differ by %g of the peak", error / peak);
 }
 
+// A set, the GL floor and a target of size x size.
+static void open_all(int size, tsu_set **set, tsu_gl **gl, struct fixture_target *target)
+{
+    tsu_set_desc set_desc;
+    tsu_gl_desc gl_desc;
+    tsu_set_desc_init(&set_desc);
+    assert_int_equal(tsu_set_create(context, &set_desc, set), TSU_OK);
+    tsu_gl_desc_init(&gl_desc);
+    gl_desc.get_proc_address = offscreen_proc;
+    gl_desc.user = fixture.context;
+    assert_int_equal(tsu_gl_create(context, &gl_desc, gl), TSU_OK);
+    assert_true(fixture_target_create(&fixture, target, size, size));
+}
+
+static void close_all(tsu_set *set, tsu_gl *gl, struct fixture_target *target)
+{
+    fixture_target_destroy(&fixture, target);
+    tsu_gl_destroy(gl);
+    tsu_set_destroy(set);
+}
+
 static void follows_every_change(void **state)
 {
     (void)state;
     tsu_set_desc set_desc;
-    tsu_gl_desc gl_desc;
     tsu_set *set;
     tsu_gl *gl;
     struct fixture_target target;
-    tsu_set_desc_init(&set_desc);
-    assert_int_equal(tsu_set_create(context, &set_desc, &set), TSU_OK);
-    tsu_gl_desc_init(&gl_desc);
-    gl_desc.get_proc_address = offscreen_proc;
-    gl_desc.user = fixture.context;
-    assert_int_equal(tsu_gl_create(context, &gl_desc, &gl), TSU_OK);
-    assert_true(fixture_target_create(&fixture, &target, GRID, GRID));
+    open_all(GRID, &set, &gl, &target);
     const GLuint program = probe_program(tsu_marschner(), 0);
     const GLuint cheap = probe_program(tsu_kajiya_kay(), 0);
 
@@ -136,15 +150,14 @@ static void follows_every_change(void **state)
 
     // A new set, possibly at the old one's address, with as many changes behind it.
     tsu_set_destroy(set);
+    tsu_set_desc_init(&set_desc);
     assert_int_equal(tsu_set_create(context, &set_desc, &set), TSU_OK);
     params.eta = 1.9f;
     assert_int_equal(tsu_set_add(set, tsu_marschner(), &params, materials), TSU_OK);
     assert_int_equal(tsu_set_bake(set), TSU_OK);
     compare(gl, set, materials[0], &target, program, 4);
 
-    fixture_target_destroy(&fixture, &target);
-    tsu_gl_destroy(gl);
-    tsu_set_destroy(set);
+    close_all(set, gl, &target);
 }
 
 // Light or view along the strand, opposite and equal directions, no and much absorption: finite,
@@ -152,20 +165,12 @@ static void follows_every_change(void **state)
 static void extremes_stay_finite(void **state)
 {
     (void)state;
-    tsu_set_desc set_desc;
-    tsu_gl_desc gl_desc;
     tsu_set *set;
     tsu_gl *gl;
     struct fixture_target target;
     static char text[65536];
     static float pixels[8 * 8 * 4];
-    tsu_set_desc_init(&set_desc);
-    assert_int_equal(tsu_set_create(context, &set_desc, &set), TSU_OK);
-    tsu_gl_desc_init(&gl_desc);
-    gl_desc.get_proc_address = offscreen_proc;
-    gl_desc.user = fixture.context;
-    assert_int_equal(tsu_gl_create(context, &gl_desc, &gl), TSU_OK);
-    assert_true(fixture_target_create(&fixture, &target, 8, 8));
+    open_all(8, &set, &gl, &target);
     for (uint32_t m = 0; m < tsu_model_count(); m++) {
         const tsu_model *model = tsu_model_at(m);
         tsu_model_info info;
@@ -214,9 +219,7 @@ static void extremes_stay_finite(void **state)
                 fail_msg("%s: light %d, view %d: %g", info.name, i / 4 % 8, i / 32,
                          (double)pixels[i]);
     }
-    fixture_target_destroy(&fixture, &target);
-    tsu_gl_destroy(gl);
-    tsu_set_destroy(set);
+    close_all(set, gl, &target);
 }
 
 int main(int argc, char **argv)

@@ -206,6 +206,7 @@ static const struct tsu_i_function functions[] = {
      .outputs = hair_outputs,
      .params = hair_params,
      .reference = hair_reference,
+     .probe = "kajiya_kay/probe_hair.glsl",
      .sampled = hair}};
 
 static const char *const snippets[] = {"kajiya_kay/eval.glsl", NULL};
