@@ -129,7 +129,7 @@ AT(tsu_marschner_params, alpha_R, 12);
 AT(tsu_marschner_params, beta_R, 16);
 AT(tsu_marschner_params, beta_az, 20);
 AT(tsu_marschner_params, sigma_a, 24);
-AT(tsu_marschner_params, reserved, 36);
+AT(tsu_marschner_params, scale_shifts, 36);
 
 SIZE(tsu_set_desc, 16);
 AT(tsu_set_desc, struct_size, 0);
@@ -192,7 +192,6 @@ IS(TSU_FUNCTION_INPUTS, 16);
 IS(TSU_FUNCTION_OUTPUTS, 8);
 IS(TSU_FUNCTION_REFERENCE_ONLY, 1);
 IS(TSU_VALUE_MATERIAL, 1);
-IS(TSU_MARSCHNER_SCALE_SHIFTS, 1);
 IS(TSU_PAGE_MATERIALS, 127);
 IS(TSU_RECORD_VEC4, 8);
 IS(TSU_PAGE_VEC4, 1024);

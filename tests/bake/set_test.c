@@ -21,7 +21,7 @@ static void equal_tables_are_stored_once(void **state)
     hair.sigma_a[1] = 3.0f;
     hair.alpha_R = 0.05f;
     hair.beta_R = 0.2f;
-    hair.flags = TSU_MARSCHNER_SCALE_SHIFTS;
+    hair.scale_shifts = 1.0f;
     assert_int_equal(tsu_set_add(r.set, tsu_marschner(), &hair, &b), TSU_OK);
     hair.eta = 1.5f;
     assert_int_equal(tsu_set_add(r.set, tsu_marschner(), &hair, &c), TSU_OK);
@@ -58,7 +58,7 @@ static void colour_shift_and_roughness_bake_nothing(void **state)
         hair.sigma_a[change % 3] = 4.0f;
         hair.alpha_R = change >= 1 ? 0.1f : hair.alpha_R;
         hair.beta_R = change >= 2 ? 0.3f : hair.beta_R;
-        hair.flags = change >= 3 ? TSU_MARSCHNER_SCALE_SHIFTS : 0;
+        hair.scale_shifts = change >= 3 ? 1.0f : 0.0f;
         const tsu_set_info before = rig_describe(&r);
         float record[32];
         memcpy(record, tsu_set_record(r.set, material), sizeof record);

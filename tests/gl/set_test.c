@@ -52,9 +52,9 @@ static void compare(tsu_gl *gl, tsu_set *set, uint32_t material,
                     const struct fixture_target *target, GLuint program, uint32_t outputs)
 {
     static float pixels[GRID * GRID * 4];
-    const double row[8] = {0.1, 0.35, 0.0, 1.5, 0.4, 0.0, 0.0, 0.0};
+    const double row[9] = {0.1, 0.35, 0.0, 1.5, 0.4, 0.0, 0.0, 0.0};
     float first[16] = {0};
-    for (int i = 0; i < 8; i++)
+    for (int i = 0; i < 9; i++)
         first[i] = (float)row[i];
     assert_int_equal(tsu_gl_sync(gl, set), TSU_OK);
     assert_int_equal(tsu_gl_program_setup(gl, program, UNIT, BINDING), TSU_OK);
@@ -68,7 +68,7 @@ static void compare(tsu_gl *gl, tsu_set *set, uint32_t material,
     double peak = 0.0, error = 0.0;
     for (int y = 0; y < GRID; y++)
         for (int x = 0; x < GRID; x++) {
-            double in[8], out[8] = {0};
+            double in[9], out[8] = {0};
             memcpy(in, row, sizeof in);
             in[0] += 2.4 * ((x + 0.5) / GRID - 0.5);
             in[2] += 6.28 * ((y + 0.5) / GRID);

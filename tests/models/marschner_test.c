@@ -103,7 +103,7 @@ static void hair_material(struct sweep *sweep, double *in)
 static void furnace(struct sweep *sweep)
 {
     enum { THETAS = 512, PHIS = 48 };
-    double in[8] = {0}, out[5];
+    double in[9] = {0}, out[5];
     hair_material(sweep, in);
     for (int t = 0; t < 3; t++) {
         const double degrees = t < 2 ? sweep_corner(sweep, -75, 75) : sweep_corner(sweep, 75, 85);
@@ -127,7 +127,7 @@ static void furnace(struct sweep *sweep)
 // The whole value, with absorption and shifts, in units of its peak over the light directions.
 static void hair(struct sweep *sweep)
 {
-    double in[8] = {0}, exact[5], table[5];
+    double in[9] = {0}, exact[5], table[5];
     hair_material(sweep, in);
     for (int t = 0; t < 3; t++) {
         in[1] = sweep_degrees(sweep, -75, 75);
@@ -164,9 +164,9 @@ static void reciprocity(struct sweep *sweep)
         for (int r = -15; r <= 15; r++)
             for (int k = 0; k <= 12; k++) {
                 const double theta_i = 5 * i * degree, theta_r = 5 * r * degree;
-                const double there[8] = {theta_i, theta_r,       15 * k * degree, 1.55,
+                const double there[9] = {theta_i, theta_r,       15 * k * degree, 1.55,
                                          0,       -7.5 * degree, 7.5 * degree,    10 * degree};
-                const double back[8] = {theta_r,  theta_i,  there[2], there[3],
+                const double back[9] = {theta_r,  theta_i,  there[2], there[3],
                                         there[4], there[5], there[6], there[7]};
                 sweep_reference(sweep, tsu_marschner(), HAIR, there, a);
                 sweep_reference(sweep, tsu_marschner(), HAIR, back, b);

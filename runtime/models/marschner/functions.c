@@ -14,6 +14,7 @@ static void hair_params(const double *in, void *params)
     p->alpha_R = (float)in[5];
     p->beta_R = (float)in[6];
     p->beta_az = (float)in[7];
+    p->scale_shifts = (float)in[8];
 }
 
 static void azimuthal_params(const double *in, void *params)
@@ -33,7 +34,7 @@ static void longitudinal_params(const double *in, void *params)
 static void hair_with(double (*lobe)(double, double, double), const double *in, double *out)
 {
     double alpha[4], beta[4], n[4];
-    tsu_i_marschner_lobes(in[5], in[6], 0, alpha, beta);
+    tsu_i_marschner_lobes(in[5], in[6], in[8], alpha, beta);
     tsu_i_fiber_azimuthal(in[3], in[1], in[4], in[7], in[2], n);
     out[4] = 0.0;
     for (int p = 0; p < 4; p++) {
@@ -90,7 +91,8 @@ static const tsu_value_info hair_inputs[] = {
                    TSU_I_DEGREES(-7.5)),
     TSU_I_MATERIAL("beta_R", "rad", "deviation of R", TSU_I_DEGREES(2), TSU_I_DEGREES(30),
                    TSU_I_DEGREES(7.5)),
-    BETA_AZ};
+    BETA_AZ,
+    TSU_I_MATERIAL("scale_shifts", "1", "shifts of real tilted scales", 0, 1, 0)};
 static const tsu_value_info hair_outputs[] = {
     TSU_I_OUTPUT("R", "1/sr", "surface reflection"), TSU_I_OUTPUT("TT", "1/sr", "straight through"),
     TSU_I_OUTPUT("TRT", "1/sr", "one internal reflection"),

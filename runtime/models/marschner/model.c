@@ -32,6 +32,8 @@ static const tsu_parameter_info parameters[] = {
                     TSU_I_DEGREES(10), "azimuthal deviation"),
     TSU_I_PARAMETER(params, sigma_a, 3, "1/radius", 0, 0, 1e6, 0.9061,
                     "absorption per fibre radius, linear RGB"),
+    TSU_I_PARAMETER(params, scale_shifts, 1, "1", 0, 0, 1, 0,
+                    "lobe shifts from the textbook's (0) to those of real tilted scales (1)"),
 };
 
 static const tsu_input_info inputs[] = {
@@ -67,13 +69,13 @@ static const struct tsu_i_measure measures[] = {{"azimuthal_all", tsu_i_marschne
 static const char *const snippets[] = {"marschner/longitudinal.glsl", "marschner/azimuthal.glsl",
                                        "marschner/eval.glsl", NULL};
 
-void tsu_i_marschner_lobes(double alpha_R, double beta_R, uint32_t flags, double alpha[4],
+void tsu_i_marschner_lobes(double alpha_R, double beta_R, double scale_shifts, double alpha[4],
                            double beta[4])
 {
     static const double textbook[4] = {1.0, -0.5, -1.5, -2.5}, scales[4] = {1.0, -0.92, -3.2, -1.2};
     static const double width[4] = {1.0, 0.5, 2.0, 2.0};
     for (int p = 0; p < 4; p++) {
-        alpha[p] = alpha_R * (flags & TSU_MARSCHNER_SCALE_SHIFTS ? scales : textbook)[p];
+        alpha[p] = alpha_R * (textbook[p] + scale_shifts * (scales[p] - textbook[p]));
         beta[p] = beta_R * width[p];
     }
 }
@@ -84,7 +86,7 @@ static void prepare(const void *from, void *to)
     struct marschner_state *state = to;
     state->eta = p->eta;
     state->beta_az = p->beta_az;
-    tsu_i_marschner_lobes(p->alpha_R, p->beta_R, p->flags, state->alpha, state->beta);
+    tsu_i_marschner_lobes(p->alpha_R, p->beta_R, p->scale_shifts, state->alpha, state->beta);
     memcpy(state->sigma_a, p->sigma_a, sizeof state->sigma_a);
 }
 
@@ -127,8 +129,7 @@ const struct tsu_model tsu_i_model_marschner = {
              .input_count = sizeof inputs / sizeof *inputs,
              .function_count = MARSCHNER_FUNCTIONS},
     .defaults = &defaults,
-    .params_least = offsetof(params, reserved) + sizeof(float),
-    .known_flags = TSU_MARSCHNER_SCALE_SHIFTS,
+    .params_least = sizeof(params),
     .parameters = parameters,
     .tables = tables,
     .measures = measures,

@@ -23,7 +23,7 @@ struct marschner_state {
 };
 
 // Lobe shifts and deviations in the order R, TT, TRT, residual.
-void tsu_i_marschner_lobes(double alpha_R, double beta_R, uint32_t flags, double alpha[4],
+void tsu_i_marschner_lobes(double alpha_R, double beta_R, double scale_shifts, double alpha[4],
                            double beta[4]);
 
 // table.c

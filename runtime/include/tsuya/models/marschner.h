@@ -34,20 +34,18 @@ extern "C" {
 
 typedef struct tsu_marschner_params {
     uint32_t struct_size; // set by tsu_marschner_params_init()
-    uint32_t flags;       // TSU_MARSCHNER_* bits, 0 by default
+    uint32_t flags;       // 0
     float eta;            // refractive index, [1.2, 2], default 1.55
-    float alpha_R;    // shift of R in theta_i + theta_r, radians, [-20, 20] degrees, default -7.5
-    float beta_R;     // deviation of R in theta_i + theta_r, radians, [2, 30] degrees, default 7.5
-    float beta_az;    // azimuthal deviation, radians, [5, 30] degrees, default 10
-    float sigma_a[3]; // absorption per fibre radius, linear RGB, [0, 1e6], default brown hair
-    float reserved;   // 0
+    float alpha_R;        // shift of R in theta_i + theta_r, radians, [-20, 20] degrees,
+                          // default -7.5
+    float beta_R;         // deviation of R in theta_i + theta_r, radians, [2, 30] degrees,
+                          // default 7.5
+    float beta_az;        // azimuthal deviation, radians, [5, 30] degrees, default 10
+    float sigma_a[3];     // absorption per fibre radius, linear RGB, [0, 1e6], default brown hair
+    float scale_shifts;   // shifts of the later lobes, [0, 1], default 0: the textbook's, above;
+                          // 1: those that real tilted scales show, alpha_p = (1, -0.92, -3.2,
+                          // -1.2) alpha_R (ray tracing of stacked cone frusta, 3 degree scales)
 } tsu_marschner_params;
-
-enum {
-    // Shifts that real tilted scales show in place of the textbook's: alpha_p = (1, -0.92, -3.2,
-    // -1.2) alpha_R. Source: ray tracing of stacked cone frusta with scales of 3 degrees.
-    TSU_MARSCHNER_SCALE_SHIFTS = 1
-};
 
 TSU_API const tsu_model *tsu_marschner(void);
 #define tsu_marschner_params_init(params)                                                          \
