@@ -132,12 +132,23 @@ int bake(const Arguments &arguments, const tsu_model *model, Texture::Format for
     if (status != TSU_OK) {
         return complain("bake", host.why(status) + ".", exit_failure);
     }
-    const Texture texture(set.get());
-    if (!texture.write(path, format, error)) {
+    // The block waits under another name until the texture is there: both files or none.
+    const std::string waiting = block + ".part";
+    if (!block.empty() && !write_block(waiting, tsu_set_page(set.get(), 0, nullptr), error)) {
         return complain("bake", error, exit_failure);
     }
-    if (!block.empty() && !write_block(block, tsu_set_page(set.get(), 0, nullptr), error)) {
+    const Texture texture(set.get());
+    std::error_code code;
+    if (!texture.write(path, format, error)) {
+        std::filesystem::remove(waiting, code);
         return complain("bake", error, exit_failure);
+    }
+    if (!block.empty()) {
+        std::filesystem::rename(waiting, block, code);
+        if (code) {
+            return complain("bake", block + " cannot be written: " + code.message() + ".",
+                            exit_failure);
+        }
     }
     std::string text = "texture  " + path + ": " + std::to_string(texture.width()) + " x " +
                        std::to_string(texture.height()) + " RGBA16F, " +
@@ -174,6 +185,10 @@ int command_bake(int argc, char **argv)
         !target_is_plain(arguments.get("-o"), error) ||
         (arguments.has("--block") && !target_is_plain(arguments.get("--block"), error))) {
         return complain("bake", error, exit_bad_input);
+    }
+    if (std::filesystem::path(arguments.get("-o")).lexically_normal() ==
+        std::filesystem::path(arguments.get("--block")).lexically_normal()) {
+        return complain("bake", "-o and --block name the same file.", exit_bad_input);
     }
     return bake(arguments, model, format);
 }

@@ -184,6 +184,11 @@ bool to_api(const Value &value, double number, double &out, std::string &error)
         return false;
     }
     out = std::clamp(out, low, high);
+    // A whole turn means nothing, but 32 bits lose the rest of an angle of many: turned back here, in
+    // degrees, where 360 is exact.
+    if (value.scale != 1 && std::fabs(number) > 360) {
+        out = std::remainder(number, 360) * value.scale;
+    }
     return true;
 }
 

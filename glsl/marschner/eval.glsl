@@ -33,13 +33,14 @@ tsu_marschner_lobes tsu_marschner_eval(int material, vec3 t, vec3 l, vec3 v, vec
     vec4 trt = TSU_RECORD(material, 2);
     vec4 size = TSU_RECORD(material, 3);
 
-    // 1.00000036 is not the square of a float: the roots never reach 0, also where rounding makes
-    // a sine exceed 1, and the division below stays finite. It shifts cos^2 by 4e-7.
     float sin_i = dot(t, l);
     float sin_r = dot(t, v);
-    float cos_i = sqrt(abs(1.00000036 - sin_i * sin_i));
-    float cos_r = sqrt(abs(1.00000036 - sin_r * sin_r));
-    vec4 products = vec4(cos_i * cos_r, cos_i * sin_r, sin_i * sin_r, sin_i * cos_r);
+    float cos_i = sqrt(abs(1.0 - sin_i * sin_i)); // abs: rounding may carry a sine past 1
+    float cos_r = sqrt(abs(1.0 - sin_r * sin_r));
+    // 1e-12 keeps the division below finite for light or view along the fibre, where phi means
+    // nothing; within half a degree of the axis the dot products of 32 bits blur phi by degrees.
+    vec4 products =
+        vec4(cos_i * cos_r + 1e-12, cos_i * sin_r, sin_i * sin_r, sin_i * cos_r);
 
     // cos(phi) = (l.v - sin_i sin_r) / (cos_i cos_r); cos^2(phi/2) = (1 + cos(phi)) / 2
     float cos2_half = clamp(0.5 * ((dot(l, v) - products.z + products.x) / products.x), 0.0, 1.0);

@@ -40,9 +40,8 @@ static void azimuthal(struct sweep *sweep, int wide)
             double peak = 0.0, error = 0.0, residual = 0.0, residual_peak = 0.0;
             double exact[4], table[4];
             double energy[4] = {0}, difference[4] = {0};
-            const double offset = sweep_between(sweep, 0.0, 1.0);
-            for (int k = 0; k < STEPS; k++) {
-                in[4] = (k + offset) * pi / STEPS;
+            for (int k = 0; k <= STEPS; k++) { // both ends: the sharpest peaks stand there
+                in[4] = k * pi / STEPS;
                 sweep_reference(sweep, tsu_marschner(), AZIMUTHAL, in, exact);
                 sweep_table(sweep, AZIMUTHAL, in, table);
                 const double sum = exact[0] + exact[1] + exact[2];
@@ -51,8 +50,9 @@ static void azimuthal(struct sweep *sweep, int wide)
                 residual = larger(residual, fabs(table[3] - exact[3]));
                 residual_peak = larger(residual_peak, exact[3]);
                 for (int p = 0; p < 4; p++) {
-                    energy[p] += exact[p];
-                    difference[p] += table[p] - exact[p];
+                    const double weight = k == 0 || k == STEPS ? 0.5 : 1.0;
+                    energy[p] += weight * exact[p];
+                    difference[p] += weight * (table[p] - exact[p]);
                 }
             }
             if (s == 0)
@@ -135,9 +135,12 @@ static void hair(struct sweep *sweep)
         double peak = 0.0, error = 0.0, residual_peak = 0.0, residual = 0.0, fine_error = 0.0;
         for (int k = 0; k < 600; k++) {
             double fine[5];
-            in[0] = -in[1] + in[6] * sweep_between(sweep, -5, 5);
-            in[0] = fmin(fmax(in[0], -0.4999 * pi), 0.4999 * pi);
-            in[2] = sweep_between(sweep, 0, pi);
+            // Half of the lights near the mirror cone, half anywhere up to 88 degrees; phi at its ends
+            // as often as between.
+            const double edge = 88.0 * pi / 180.0;
+            in[0] = k & 1 ? edge * sweep_corner(sweep, -1, 1)
+                          : fmin(fmax(-in[1] + in[6] * sweep_between(sweep, -5, 5), -edge), edge);
+            in[2] = sweep_corner(sweep, 0, pi);
             sweep_reference(sweep, tsu_marschner(), HAIR, in, exact);
             sweep_table(sweep, HAIR, in, table);
             sweep_table(sweep, HAIR_FINE, in, fine);

@@ -59,7 +59,7 @@ def azimuthal():
             theta = random.uniform(0, 85)
             for sigma in (0.0, random.uniform(0, 1), random.uniform(0, 5)):
                 groups.append((theta, sigma))
-                rows += [[eta, theta, sigma, beta, (k + 0.5) * 1.5] for k in range(120)]
+                rows += [[eta, theta, sigma, beta, k * 180 / 119] for k in range(120)]
         exact = evaluate('hair-azimuthal', 'reference', columns, rows)
         gpu = evaluate('hair-azimuthal', 'gpu', columns, rows)
         white = 0.0

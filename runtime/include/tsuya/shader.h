@@ -44,7 +44,7 @@ enum {
     // `function` of the one model asked for, with x as tsu_function_input() orders them.
     TSU_SHADER_PROBE = 2,
     // Spend more where a model can use it (macro TSU_FINE). marschner: the residual gets a lobe of
-    // its own for 20 more of navi21's clocks, and the sum's worst error falls from 11 to 0.6 % of
+    // its own for 20 more of navi21's clocks, and the sum's worst error falls from 15 to 0.6 % of
     // its peak.
     TSU_SHADER_FINE = 8,
     // A complete fragment shader with #version: varyings t, l, v, sigma_a, flat int material and

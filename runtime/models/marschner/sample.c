@@ -62,9 +62,9 @@ static void longitudinal(const float products[4], const float lobe[3], float *ex
 
 static void multiply(float sin_i, float sin_r, float *cos_r, float products[4])
 {
-    const float cos_i = sqrtf(fabsf(1.00000036f - sin_i * sin_i));
-    *cos_r = sqrtf(fabsf(1.00000036f - sin_r * sin_r));
-    products[0] = cos_i * *cos_r;
+    const float cos_i = sqrtf(fabsf(1.0f - sin_i * sin_i));
+    *cos_r = sqrtf(fabsf(1.0f - sin_r * sin_r));
+    products[0] = cos_i * *cos_r + 1e-12f;
     products[1] = cos_i * sin_r;
     products[2] = sin_i * sin_r;
     products[3] = sin_i * *cos_r;

@@ -233,24 +233,26 @@ void tsu_i_marschner_finish(float *texels)
     }
 }
 
-// Largest error over phi (between the columns) at theta_r between the rows and a spread of
-// absorptions: of R+TT+TRT in units of their peak, of the residual in units of its peak without
+// Largest error over phi, at and between the columns, with theta_r at and between the rows and a spread
+// of absorptions: of R+TT+TRT in units of their peak, of the residual in units of its peak without
 // absorption.
 static double worst(const void *opaque, const struct tsu_i_texels *tables, int residual)
 {
-    static const double sigmas[] = {0.0, 0.1, 0.3, 0.7, 1.2, 2.0, 3.2, 5.0};
+    static const double sigmas[] = {0.0, 0.3, 1.0, 2.0, 5.0};
     const struct marschner_state *state = opaque;
     double largest = 0.0;
-    for (int row = 7; row < MARSCHNER_ROWS - 1; row += 4) {
-        const double cos_theta = (row + 0.5) / (MARSCHNER_ROWS - 1);
+    for (int row = 14; row < 2 * (MARSCHNER_ROWS - 1); row += 5) {
+        const double cos_theta = 0.5 * row / (MARSCHNER_ROWS - 1);
         double peak = 0.0;
         for (size_t s = 0; s < sizeof sigmas / sizeof *sigmas; s++) {
             const double sigma_a = residual ? 0.1 * sigmas[s] : sigmas[s];
             double error = 0.0;
             if (!residual)
                 peak = 0.0;
-            for (int i = 0; i < 96; i++) {
-                const double phi = (i + 0.37) / 96.0 * TSU_I_PI, half = cos(0.5 * phi);
+            for (int i = 0; i <= 2 * (WIDTH - 1); i++) {
+                const double phi = 0.5 * TSU_I_PI + 2.0 * asin(((double)i / (WIDTH - 1) - 1.0) *
+                                                               0.707106781186547524);
+                const double half = cos(0.5 * phi);
                 double exact[4];
                 float table[4];
                 tsu_i_fiber_azimuthal(state->eta, acos(cos_theta), sigma_a, state->beta_az, phi,
