@@ -2,20 +2,11 @@
 """Turns GLSL files into C arrays: embed.py OUTPUT ROOT FILE...
 
 Each FILE becomes a byte array and a row {name, bytes, size} of tsu_i_snippets, with its path below
-ROOT as its name. Bytes, not string literals: some compilers cap those at 16 KiB. Comments and blank
-lines go (line numbers stay), so the text that hosts paste is the code and its licence line.
+ROOT as its name. Bytes, not string literals: some compilers cap those at 16 KiB. Comments stay: the
+text that a host pastes is its own manual.
 """
 import os
-import re
 import sys
-
-
-def strip(text):
-    lines = []
-    for line in text.splitlines():
-        keep = line if 'SPDX' in line else re.sub(r'\s*//.*$', '', line)
-        lines.append(keep.rstrip())
-    return '\n'.join(lines).rstrip() + '\n'
 
 
 def main(output, root, files):
@@ -23,8 +14,8 @@ def main(output, root, files):
     with open(output, 'w', encoding='utf-8') as out:
         out.write('#include "shade/snippet.h"\n\n')
         for i, path in enumerate(files):
-            with open(path, encoding='utf-8') as source:
-                data = strip(source.read()).encode()
+            with open(path, 'rb') as source:
+                data = source.read()
             name = os.path.relpath(path, root).replace(os.sep, '/')
             out.write(f'static const unsigned char file_{i}[] = {{ // {name}\n')
             for at in range(0, len(data), 16):

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Kajiya and Kay's fibre with Marschner's energy: no fetch, a third of Marschner's price.
+// Kajiya and Kay's fibre with Marschner's energy: no fetch, half of Marschner's price.
 //
 // Record of a material:
 //   0  cos(alpha_R), sin(alpha_R), exponent n, log2(1/pi^2)
-//   1  k_R = x + y exp2(-z cos_r)
+//   1  k_R = x + y exp2(z cos_r), z < 0
 //   2  path of the body log2(e) (x cos_r + y); integral of the highlight z |cos_r'| + w
 //   3  sigma_a of the material (linear RGB), eta
 
@@ -37,6 +37,7 @@ tsu_kajiya_kay_lobes tsu_kajiya_kay_eval(int material, vec3 t, vec3 l, vec3 v, v
     float reflected = surface.y * exp2(surface.z * cos_r) + surface.x;
 
     tsu_kajiya_kay_lobes lobes;
+    // Outside of the cone log2 gives -infinity and exp2 of it 0.
     lobes.specular = exp2(highlight.z * log2(cone)) * (reflected / (body.z * abs(cos_s) + body.w));
     lobes.diffuse = (cos_i - cos_i * reflected) *
                     exp2(highlight.w - sigma_a * (body.x * cos_r + body.y));
