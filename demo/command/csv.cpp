@@ -65,6 +65,11 @@ bool Csv::header(const Line &line, std::string &error)
             error = where + " of the header has no name.";
             return false;
         }
+        if (std::any_of(name.begin(), name.end(),
+                        [](unsigned char c) { return c < ' ' && c != '\t'; })) {
+            error = where + " of the header holds a control character; is this text?";
+            return false;
+        }
         if (column(name) >= 0) {
             error = where + " repeats the name " + name + " of column " +
                     std::to_string(column(name) + 1) + "; a column may appear once.";

@@ -136,6 +136,29 @@ def csv_reads_every_spelling_of_a_number():
 
 
 @case
+def csv_refuses_what_is_no_text():
+    done = run(*AZIMUTHAL, text='\0' * 4000)
+    expect(done.returncode == 2 and done.stdout == b'' and b'control' in done.stderr, done.stderr)
+
+
+@case
+def bake_keeps_texture_and_block_apart():
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, 'both.bin')
+        done = run('bake', 'marschner', '-o', path, '--block', path)
+        expect(done.returncode == 2 and not os.path.exists(path), done.stderr)
+        done = run('bake', 'marschner', '-o', path, '--block', '/nonexistent/block')
+        expect(done.returncode != 0 and not os.path.exists(path), done.stderr)
+
+
+@case
+def csv_forgets_whole_turns():
+    rows = output(*AZIMUTHAL[:-1], 'gpu', text='phi_deg\n339.5\n36000339.5\n-36000020.5\n')
+    values = {line.split(',', 1)[1] for line in rows.splitlines()[1:]}
+    expect(len(values) == 1, values)
+
+
+@case
 def csv_takes_crlf_and_a_byte_order_mark():
     plain = output(*AZIMUTHAL, text='# c\neta,phi_deg\n1.5,20\n')
     expect(plain == output(*AZIMUTHAL, text='# c\r\neta,phi_deg\r\n1.5,20\r\n'), 'CRLF differs')
