@@ -68,6 +68,32 @@ static void azimuthal(struct sweep *sweep, int wide)
     }
 }
 
+// Where the azimuthal table errs most: the least blur, phi = 0 and the caustics next to it. Raises
+// worst_azimuthal alone.
+static void azimuthal_corner(struct sweep *sweep, double eta, double theta_low, double theta_high)
+{
+    enum { NEAR = 30, STEPS = 81 };
+    static const double sigmas[] = {0.0, 0.03, 0.3, 1.5};
+    const double degree = pi / 180.0;
+    double in[5] = {eta, 0, 0, 5 * degree, 0};
+    sweep_material(sweep, tsu_marschner(), AZIMUTHAL, in);
+    for (double theta = theta_low; theta <= theta_high; theta += 0.5)
+        for (int s = 0; s < 4; s++) {
+            double peak = 0.0, error = 0.0, exact[4], table[4];
+            in[1] = theta * degree;
+            in[2] = sigmas[s];
+            for (int k = 0; k < STEPS; k++) {
+                in[4] = (k < NEAR ? 0.9 * k : 27.0 + 3.0 * (k - NEAR + 1)) * degree;
+                sweep_reference(sweep, tsu_marschner(), AZIMUTHAL, in, exact);
+                sweep_table(sweep, AZIMUTHAL, in, table);
+                const double sum = exact[0] + exact[1] + exact[2];
+                peak = larger(peak, sum);
+                error = larger(error, fabs(table[0] + table[1] + table[2] - sum));
+            }
+            worst_azimuthal = larger(worst_azimuthal, error / peak);
+        }
+}
+
 static void longitudinal(struct sweep *sweep)
 {
     double in[3] = {0, 0, sweep_corner(sweep, 2, 30) * pi / 180.0};
@@ -157,6 +183,33 @@ static void hair(struct sweep *sweep)
     }
 }
 
+// Where the shared residual errs most: narrow lobes, strong shifts, light that grazes the fibre.
+static void hair_corner(struct sweep *sweep, double eta, double alpha_R, double view_low,
+                        double view_high)
+{
+    const double degree = pi / 180.0;
+    double in[9] = {0, 0, 0, eta, 0, alpha_R * degree, 5 * degree, 5 * degree, 0};
+    sweep_material(sweep, tsu_marschner(), HAIR, in);
+    for (double view = view_low; view <= view_high; view += 2.5) {
+        double peak = 0.0, error = 0.0, fine_error = 0.0;
+        in[1] = view * degree;
+        for (int light = -88; light <= 88; light++)
+            for (int k = 0; k <= 12; k++) {
+                double exact[5], table[5], fine[5];
+                in[0] = light * degree;
+                in[2] = 15 * k * degree;
+                sweep_reference(sweep, tsu_marschner(), HAIR, in, exact);
+                sweep_table(sweep, HAIR, in, table);
+                sweep_table(sweep, HAIR_FINE, in, fine);
+                peak = larger(peak, exact[4]);
+                error = larger(error, fabs(table[4] - exact[4]));
+                fine_error = larger(fine_error, fabs(fine[4] - exact[4]));
+            }
+        worst_hair = larger(worst_hair, error / peak);
+        worst_hair_fine = larger(worst_hair_fine, fine_error / peak);
+    }
+}
+
 // Light and view exchanged, default shift: |S(i, r) - S(r, i)| in units of the peak, without
 // pigment, on a grid of 5 degrees to 75.
 static void reciprocity(struct sweep *sweep)
@@ -198,16 +251,27 @@ int main(int argc, char **argv)
     sweep_open(&sweep, 20240917);
     for (int i = 0; i < 24 * scale; i++)
         azimuthal(&sweep, 0);
+    // The known worst places each time, the search that found them with a larger scale.
+    azimuthal_corner(&sweep, 1.8, 18, 23);
+    for (double eta = 1.3; scale > 1 && eta <= 1.8001; eta += 0.05)
+        azimuthal_corner(&sweep, fmin(eta, 1.8), 0, 85);
     const double narrow = worst_azimuthal, narrow_energy = worst_energy;
     const double narrow_residual = worst_residual;
     for (int i = 0; i < 12 * scale; i++)
         azimuthal(&sweep, 1);
+    azimuthal_corner(&sweep, 1.88, 7, 11);
+    azimuthal_corner(&sweep, 1.2, 64, 67);
+    for (double eta = 1.82; scale > 1 && eta <= 2.0; eta += 0.02)
+        azimuthal_corner(&sweep, eta, 0, 85);
     for (int i = 0; i < 40 * scale; i++)
         longitudinal(&sweep);
     for (int i = 0; i < 20 * scale; i++)
         furnace(&sweep);
     for (int i = 0; i < 30 * scale; i++)
         hair(&sweep);
+    hair_corner(&sweep, 1.8, -10, -57.5, -55);
+    for (int i = 0; scale > 1 && i < 4; i++)
+        hair_corner(&sweep, i & 1 ? 1.8 : 1.3, i & 2 ? 10 : -10, -75, 75);
     reciprocity(&sweep);
     sweep_close(&sweep);
 

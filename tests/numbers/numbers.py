@@ -51,7 +51,7 @@ def report(what, value, bound, unit=''):
 
 def azimuthal():
     columns = ['eta', 'theta_d_deg', 'sigma_a', 'beta_az_deg', 'phi_deg']
-    worst, worst_energy, worst_residual = 0.0, 0.0, 0.0
+    worst, worst_energy, worst_residual, strict = 0.0, 0.0, 0.0, 0.0
     for _ in range(16 * LONG):
         eta, beta = random.uniform(1.3, 1.8), random.uniform(5, 20)
         groups, rows = [], []
@@ -73,11 +73,14 @@ def azimuthal():
                 worst_energy = max(worst_energy, off / total)
             if sigma == 0.0:
                 white = max(r['RES'] for r in a)
-            worst_residual = max(worst_residual,
-                                 max(abs(r['RES'] - s['RES']) for r, s in zip(a, b)) / white)
+            off = max(abs(r['RES'] - s['RES']) for r, s in zip(a, b))
+            worst_residual = max(worst_residual, off / white)
+            strict = max(strict, off / max(r['RES'] for r in a))
     report('gpu N, R+TT+TRT, of its peak over phi', 100 * worst, 0.5, ' %')
     report('gpu N, energy of a lobe, of the total', 100 * worst_energy, 0.5, ' %')
     report('gpu N, residual, of its peak over phi at sigma_a 0', 100 * worst_residual, 2.0, ' %')
+    print(f'{"  the same, of its peak at the same sigma_a, which may be 1e-20":68} '
+          f'{100 * strict:9.4g} %: 2 % is not reached')
 
 
 def longitudinal():
