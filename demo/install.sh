@@ -2,7 +2,8 @@
 # Installs what a fresh Debian 12 lacks: install.sh demo|tests. Asks for nothing that is there.
 set -eu
 demo="build-essential meson ninja-build pkg-config python3 libgl-dev libegl1 libgl1-mesa-dri
-      libosmesa6 libglm-dev libopenmesh-dev libpng-dev libtinyexr-dev libglfw3-dev libimgui-dev"
+      libosmesa6 libglm-dev libopenmesh-dev libpng-dev libtinyexr-dev libglfw3-dev libimgui-dev
+      libembree-dev"
 tests="libcmocka-dev glslang-tools libvulkan-dev mesa-vulkan-drivers xvfb xauth git"
 case "${1:-}" in
 demo) packages=$demo ;;

@@ -25,6 +25,7 @@ const Command commands[] = {
     {"bake", command_bake, "write a material's tables and uniform block to files"},
     {"eval", command_eval, "evaluate a model on rows of CSV: reference, tables in C, or GPU"},
     {"render", command_render, "render hair to a PNG or EXR file"},
+    {"reference", command_reference, "render hair by path tracing, with its standard error"},
     {"scenes", command_scenes, "list the scenes that render knows"},
 };
 
