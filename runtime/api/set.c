@@ -238,6 +238,12 @@ tsu_status tsu_set_add(tsu_set *set, const tsu_model *model, const void *params,
         *material = 0;
     if (!set || !model || !material)
         return TSU_E_PARAMETER;
+    if (model->info.flags & TSU_MODEL_SHADOW) {
+        tsu_i_log(set->context, TSU_LOG_ERROR, TSU_LOG_PARAMETER,
+                  "%s shades no fibre: it cannot be a material, see tsuya/hair_shadow.h",
+                  model->info.name);
+        return TSU_E_PARAMETER;
+    }
     uint32_t index;
     struct material m;
     const uint32_t pages = set->page_count;

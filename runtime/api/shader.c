@@ -42,6 +42,10 @@ static tsu_status check(const tsu_context *context, const tsu_shader_desc *desc)
     for (uint32_t i = 0; i < desc->model_count; i++)
         if (!desc->models[i])
             return reject(context, "models", i, "no NULL entry");
+    for (uint32_t i = 0; i < desc->model_count && desc->flags & TSU_SHADER_HARNESS; i++)
+        if (desc->models[i]->info.flags & TSU_MODEL_SHADOW)
+            return reject(context, "models", i,
+                          "a model that shades fibres: a harness has no maps to read");
     if (desc->flags & TSU_SHADER_PROBE &&
         (desc->model_count != 1 || desc->function >= desc->models[0]->info.function_count ||
          !desc->models[0]->functions[desc->function].sampled))

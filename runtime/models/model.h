@@ -73,7 +73,9 @@ struct tsu_model {
     void (*record)(const void *state, const struct tsu_i_place *places, float *record);
 };
 
-// Find by name among all; NULL-terminated list of all.
+// NULL-terminated lists: of models that shade a fibre, of techniques of self-shadow, which have no
+// functions, no record and no prepare().
 extern const struct tsu_model *const tsu_i_models[];
+extern const struct tsu_model *const tsu_i_shadows[];
 
 #endif

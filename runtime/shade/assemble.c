@@ -81,6 +81,9 @@ static tsu_status host_text(const struct assembler *a, const char *name, const c
 
 static tsu_status put_file(const struct assembler *a, const char *name)
 {
+    for (uint32_t i = 1; i < a->out->source_count && i < TSU_I_SOURCES; i++)
+        if (a->out->sources[i] && strcmp(a->out->sources[i], name) == 0)
+            return TSU_OK; // shared by two models
     const struct tsu_i_snippet *snippet = tsu_i_snippets;
     while (snippet->name && strcmp(snippet->name, name) != 0)
         snippet++;
@@ -122,8 +125,18 @@ static void put_binding(const struct assembler *a, uint32_t binding, const char 
     put_number(a, binding);
 }
 
+static int any_material(const tsu_shader_desc *desc)
+{
+    for (uint32_t i = 0; i < desc->model_count; i++)
+        if (!(desc->models[i]->info.flags & TSU_MODEL_SHADOW))
+            return 1;
+    return 0;
+}
+
 static void put_resources(const struct assembler *a)
 {
+    if (!any_material(a->desc))
+        return;
     int tables = 0;
     for (uint32_t i = 0; i < a->desc->model_count; i++)
         tables |= a->desc->models[i]->info.table_count > 0;
@@ -227,7 +240,9 @@ tsu_status tsu_i_assemble(const tsu_context *context, const tsu_shader_desc *des
     put_resources(&a);
     if (harness)
         put_varyings(&a);
-    tsu_status status = put_file(&a, "prelude/records.glsl");
+    tsu_status status = TSU_OK;
+    if (any_material(desc))
+        status = put_file(&a, "prelude/records.glsl");
     for (uint32_t i = 0; i < desc->model_count && status == TSU_OK; i++)
         for (const char *const *file = desc->models[i]->snippets;
              *file && status == TSU_OK && !listed_before(desc, i); file++)

@@ -44,6 +44,75 @@ AT(tsu_hair_preset_info, eumelanin, 16);
 AT(tsu_hair_preset_info, pheomelanin, 24);
 AT(tsu_hair_preset_info, sigma_a, 32);
 
+SIZE(tsu_hair_shadow_desc, 96);
+AT(tsu_hair_shadow_desc, struct_size, 0);
+AT(tsu_hair_shadow_desc, flags, 4);
+AT(tsu_hair_shadow_desc, model, 8);
+AT(tsu_hair_shadow_desc, params, 16);
+AT(tsu_hair_shadow_desc, centre, 24);
+AT(tsu_hair_shadow_desc, radius, 36);
+AT(tsu_hair_shadow_desc, light, 40);
+AT(tsu_hair_shadow_desc, width, 52);
+AT(tsu_hair_shadow_desc, length, 56);
+AT(tsu_hair_shadow_desc, volume, 60);
+AT(tsu_hair_shadow_desc, spacing, 64);
+AT(tsu_hair_shadow_desc, size, 68);
+AT(tsu_hair_shadow_desc, least_size, 72);
+AT(tsu_hair_shadow_desc, most_size, 76);
+AT(tsu_hair_shadow_desc, tile_x, 80);
+AT(tsu_hair_shadow_desc, tile_y, 84);
+AT(tsu_hair_shadow_desc, reserved, 88);
+
+SIZE(tsu_hair_shadow_plan, 344);
+AT(tsu_hair_shadow_plan, struct_size, 0);
+AT(tsu_hair_shadow_plan, flags, 4);
+AT(tsu_hair_shadow_plan, size, 8);
+AT(tsu_hair_shadow_plan, layers, 12);
+AT(tsu_hair_shadow_plan, target_count, 16);
+AT(tsu_hair_shadow_plan, pass_count, 20);
+AT(tsu_hair_shadow_plan, spacing, 24);
+AT(tsu_hair_shadow_plan, texel, 28);
+AT(tsu_hair_shadow_plan, near_plane, 32);
+AT(tsu_hair_shadow_plan, far_plane, 36);
+AT(tsu_hair_shadow_plan, boundary, 40);
+AT(tsu_hair_shadow_plan, opacity, 76);
+AT(tsu_hair_shadow_plan, color, 80);
+AT(tsu_hair_shadow_plan, reserved, 84);
+AT(tsu_hair_shadow_plan, to_light, 88);
+AT(tsu_hair_shadow_plan, record, 152);
+
+SIZE(tsu_hair_shadow_target_info, 40);
+AT(tsu_hair_shadow_target_info, struct_size, 0);
+AT(tsu_hair_shadow_target_info, flags, 4);
+AT(tsu_hair_shadow_target_info, name, 8);
+AT(tsu_hair_shadow_target_info, format, 16);
+AT(tsu_hair_shadow_target_info, clear, 20);
+
+SIZE(tsu_hair_shadow_pass_info, 40);
+AT(tsu_hair_shadow_pass_info, struct_size, 0);
+AT(tsu_hair_shadow_pass_info, flags, 4);
+AT(tsu_hair_shadow_pass_info, name, 8);
+AT(tsu_hair_shadow_pass_info, targets, 16);
+AT(tsu_hair_shadow_pass_info, depth_test, 20);
+AT(tsu_hair_shadow_pass_info, blend_add, 24);
+AT(tsu_hair_shadow_pass_info, function, 32);
+
+SIZE(tsu_deep_opacity_params, 24);
+AT(tsu_deep_opacity_params, struct_size, 0);
+AT(tsu_deep_opacity_params, flags, 4);
+AT(tsu_deep_opacity_params, opacity, 8);
+AT(tsu_deep_opacity_params, spacings, 12);
+AT(tsu_deep_opacity_params, layers, 16);
+AT(tsu_deep_opacity_params, growth, 20);
+
+SIZE(tsu_opacity_shadow_params, 24);
+AT(tsu_opacity_shadow_params, struct_size, 0);
+AT(tsu_opacity_shadow_params, flags, 4);
+AT(tsu_opacity_shadow_params, opacity, 8);
+AT(tsu_opacity_shadow_params, spacings, 12);
+AT(tsu_opacity_shadow_params, layers, 16);
+AT(tsu_opacity_shadow_params, growth, 20);
+
 SIZE(tsu_model_info, 64);
 AT(tsu_model_info, struct_size, 0);
 AT(tsu_model_info, flags, 4);
@@ -206,6 +275,20 @@ IS(TSU_TARGET_VULKAN, 6);
 IS(TSU_SHADER_ARRAY, 1);
 IS(TSU_SHADER_PROBE, 2);
 IS(TSU_SHADER_HARNESS, 4);
+IS(TSU_MODEL_SHADOW, 1);
+IS(TSU_HAIR_SHADOW_LAYERS, 8);
+IS(TSU_HAIR_SHADOW_RECORD_VEC4, 12);
+IS(TSU_HAIR_SHADOW_UNKNOWN, 1000);
+IS(TSU_HAIR_SHADOW_POINT, 1);
+IS(TSU_HAIR_SHADOW_ZERO_TO_ONE, 2);
+IS(TSU_HAIR_SHADOW_BLEND_32F, 4);
+IS(TSU_HAIR_SHADOW_BLEND_16F, 8);
+IS(TSU_HAIR_SHADOW_EMPTY, 1);
+IS(TSU_HAIR_SHADOW_PARTIAL, 2);
+IS(TSU_FORMAT_DEPTH24, 1);
+IS(TSU_FORMAT_RGBA32F, 2);
+IS(TSU_FORMAT_RGBA16F, 3);
+IS(TSU_FORMAT_RGBA8, 4);
 
 int main(void)
 {

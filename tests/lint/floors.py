@@ -16,8 +16,9 @@ FLOORS = {
     'models/*': ['base/', 'optics/', 'models/model.h', 'models/values.h'],
     'bake': ['base/'] + MODEL,
     'shade': ['base/'] + MODEL,
+    'hair_shadow': ['base/'] + MODEL,
     'gl': ['base/'] + MODEL,
-    'api': ['base/', 'optics/', 'bake/', 'shade/', 'models/'],
+    'api': ['base/', 'optics/', 'bake/', 'shade/', 'hair_shadow/', 'models/'],
 }
 LIBC = {'ctype.h', 'float.h', 'limits.h', 'math.h', 'stdarg.h', 'stddef.h', 'stdint.h', 'stdlib.h',
         'string.h'}
@@ -123,7 +124,7 @@ def check_glsl():
             say(path, 'GLSL of the library lives in glsl/MODEL/ and glsl/prelude/')
             continue
         code = re.sub(r'//[^\n]*', '', path.read_text('utf-8'))
-        if re.search(r'#\s*(include|version|extension)|\bmain\s*\(|\bgl_|\bdiscard\b|\bsampler', code):
+        if re.search(r'#\s*(include|version|extension)|\bmain\s*\(|\bgl_|\bdiscard\b|\buniform\b', code):
             say(path, 'a snippet owns no stage and declares no resource')
         others = [f for f in folders if f != inside[1] and re.search(rf'\btsu_{f}_', code)]
         if others:

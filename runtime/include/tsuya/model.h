@@ -14,16 +14,23 @@ extern "C" {
 // One shading model ("marschner", "kajiya_kay", ...).
 typedef struct tsu_model tsu_model;
 
-// Number of models. Threads: any.
+// Number of models that shade a fibre. Threads: any.
 TSU_API uint32_t tsu_model_count(void);
-// Model by position; NULL when `index` is too large. Threads: any.
+// Model that shades a fibre, by position; NULL when `index` is too large. Threads: any.
 TSU_API const tsu_model *tsu_model_at(uint32_t index);
-// Model by name; NULL when there is none. Threads: any.
+// Model by name, techniques of self-shadow (hair_shadow.h) too; NULL when there is none.
+// Threads: any.
 TSU_API const tsu_model *tsu_model_find(const char *name);
+
+enum {
+    // Tells what light reaches a fibre and shades none: no eval, no sum, no lobes, no material. A
+    // set refuses it, a shader takes it, tsuya/hair_shadow.h plans it.
+    TSU_MODEL_SHADOW = 1
+};
 
 typedef struct tsu_model_info {
     uint32_t struct_size; // set by tsu_model_info_init()
-    uint32_t flags;       // 0
+    uint32_t flags;       // TSU_MODEL_* bits
     const char *name;     // "marschner"
     const char *title;    // "Marschner fibre"
     const char *source;   // citation
@@ -100,11 +107,14 @@ typedef struct tsu_value_info {
     uint32_t struct_size; // set by tsu_value_info_init()
     uint32_t flags;       // TSU_VALUE_MATERIAL: part of the material, not of the fragment
     const char *name;     // "theta_d"
-    const char *unit;     // "rad" for angles
+    const char *unit;     // "rad" for angles; "a|b;c": the numbers 0, 1, 2 have these names, and
+                          // those after the ; are known to the reference alone
     const char *help;
     double minimum, maximum, default_value;
 } tsu_value_info;
 enum { TSU_VALUE_MATERIAL = 1 };
+// As a maximum it stands for infinity.
+#define TSU_VALUE_INFINITE 1e9
 
 // Zero an info struct and set its size. Errors: TSU_E_STRUCT. Threads: any.
 TSU_API tsu_status tsu_info_init_sized(void *info, size_t size);

@@ -47,8 +47,8 @@ TSU_API void tsu_set_destroy(tsu_set *set);
 // Add a material; *material is its index in the set, which stays until it is removed. Its page is
 // index / TSU_PAGE_MATERIALS, its index in the shader index % TSU_PAGE_MATERIALS. `params` is the
 // model's typed struct and is copied.
-// Errors: TSU_E_PARAMETER, TSU_E_STRUCT, TSU_E_MEMORY, TSU_E_LIMIT (the texture cannot grow past
-// max_texture_size, or max_materials is reached). The set is unchanged on failure.
+// Errors: TSU_E_PARAMETER (a model of self-shadow, too), TSU_E_STRUCT, TSU_E_MEMORY, TSU_E_LIMIT
+// (the texture cannot grow past max_texture_size, or max_materials is reached). The set is unchanged on failure.
 // Threads: object.
 TSU_API tsu_status tsu_set_add(tsu_set *set, const tsu_model *model, const void *params,
                                uint32_t *material);

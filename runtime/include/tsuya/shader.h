@@ -10,6 +10,8 @@
 // `material` is the index inside the bound page. A lobe is S cos(theta_i) in 1/sr: multiply it by
 // the light's radiance and solid angle (or irradiance from a small light) and add; no further
 // cosine, no light colour inside. Arguments after sigma_a are the model's extra inputs (model.h).
+// Techniques of self-shadow (hair_shadow.h) may be among the models: their text declares no sampler
+// and no block, the host hands its maps to their functions. Alone they need no block at all.
 #ifndef TSUYA_SHADER_H
 #define TSUYA_SHADER_H
 
@@ -48,7 +50,8 @@ enum {
     // its peak.
     TSU_SHADER_FINE = 8,
     // A complete fragment shader with #version: varyings t, l, v, sigma_a, flat int material and
-    // the models' extra inputs; o = vec4(sum of all lobes of all models, 1).
+    // the models' extra inputs; o = vec4(sum of all lobes of all models, 1). Not with techniques of
+    // self-shadow, which have no lobes.
     TSU_SHADER_HARNESS = 4
 };
 

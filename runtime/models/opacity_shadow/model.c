@@ -1,0 +1,57 @@
+#include <tsuya/models/opacity_shadow.h>
+
+#include "models/model.h"
+#include "models/values.h"
+
+typedef tsu_opacity_shadow_params params;
+
+static const params defaults = {.struct_size = sizeof(params),
+                                .opacity = 1.0f,
+                                .spacings = 2.0f,
+                                .layers = 8.0f,
+                                .growth = 1.0f};
+
+static const tsu_parameter_info parameters[] = {
+    TSU_I_PARAMETER(params, opacity, 1, "1", 0, 0, 1, 1,
+                    "share of the light that one fibre takes out of its way"),
+    TSU_I_PARAMETER(params, spacings, 1, "1", 0, 0.1, 100, 2,
+                    "side of a texel in strand spacings"),
+    TSU_I_PARAMETER(params, layers, 1, "1", 0, 1, 8, 8, "number of layers, whole"),
+    TSU_I_PARAMETER(params, growth, 1, "1", 0, 1, 4, 1,
+                    "thickness of a layer over that of the one before it")};
+
+static const tsu_error_info errors[] = {
+#include "models/opacity_shadow/errors.inc"
+};
+
+static const tsu_input_info inputs[] = {
+    TSU_I_INPUT("layers", "sampler2D", 0, "fibres in layers 1 to 4, nearest filter"),
+    TSU_I_INPUT("deeper", "sampler2D", 0, "fibres in layers 5 to 8, for the function whose name ends in 8"),
+    TSU_I_INPUT("record", "vec4[12]", 0, "record of the plan"),
+    TSU_I_INPUT("position", "vec3", 0, "point to shade, world")};
+
+static const char *const snippets[] = {"prelude/hair_shadow.glsl", "prelude/hair_shadow_map.glsl",
+                                       "opacity_shadow/map.glsl", NULL};
+
+const struct tsu_model tsu_i_model_opacity_shadow = {
+    .info = {.struct_size = sizeof(tsu_model_info),
+             .flags = TSU_MODEL_SHADOW,
+             .name = "opacity_shadow",
+             .title = "Opacity shadow maps",
+             .source = "Kim and Neumann 2001, Opacity Shadow Maps",
+             .params_size = sizeof(params),
+             .parameter_count = sizeof parameters / sizeof *parameters,
+             .error_count = sizeof errors / sizeof *errors,
+             .input_count = sizeof inputs / sizeof *inputs},
+    .defaults = &defaults,
+    .params_least = sizeof(params),
+    .parameters = parameters,
+    .errors = errors,
+    .inputs = inputs,
+    .snippets = snippets,
+};
+
+const tsu_model *tsu_opacity_shadow(void)
+{
+    return &tsu_i_model_opacity_shadow;
+}
