@@ -21,6 +21,14 @@ Value value_of(const tsu_value_info &info)
     value.minimum = info.minimum;
     value.maximum = info.maximum;
     value.default_value = info.default_value;
+    // A unit of words: "a|b;c".
+    const std::string unit = info.unit;
+    for (std::size_t begin = 0; unit.find('|') != std::string::npos && begin < unit.size();) {
+        const std::size_t end = std::min(unit.find_first_of("|;", begin), unit.size());
+        value.words.push_back(unit.substr(begin, end - begin));
+        value.words_on_tables += unit.rfind(';', begin) == std::string::npos || begin == 0;
+        begin = end + 1;
+    }
     return value;
 }
 
@@ -109,11 +117,23 @@ std::vector<std::string> model_names()
     return names;
 }
 
+std::vector<std::string> technique_names()
+{
+    std::vector<std::string> names;
+    for (std::uint32_t i = 0; i < tsu_hair_shadow_count(); i++) {
+        names.push_back(model_name(tsu_hair_shadow_at(i)));
+    }
+    return names;
+}
+
 const tsu_model *find_model(const std::string &name, std::string &error)
 {
     const tsu_model *const model = tsu_model_find(name.c_str());
     if (!model) {
-        const std::vector<std::string> names = model_names();
+        std::vector<std::string> names = model_names();
+        for (const std::string &technique : technique_names()) {
+            names.push_back(technique);
+        }
         error = "there is no model \"" + name + "\"" + suggestion(name, names) +
                 "; the models are " + joined(names) + ".";
     }
@@ -171,10 +191,25 @@ bool find_function(const std::string &name, const std::string &model, const std:
     return false;
 }
 
+bool word_to_api(const Value &value, const std::string &word, double &out, std::string &error)
+{
+    const auto found = std::find(value.words.begin(), value.words.end(), word);
+    if (found == value.words.end()) {
+        error = "\"" + word + "\" is none of " + joined(value.words);
+        return false;
+    }
+    out = double(found - value.words.begin());
+    return true;
+}
+
 bool to_api(const Value &value, double number, double &out, std::string &error)
 {
-    out = number * value.scale;
     const double low = value.minimum, high = value.maximum;
+    if (std::isinf(number) && number > 0 && high == TSU_VALUE_INFINITE) {
+        out = high;
+        return true;
+    }
+    out = number * value.scale;
     const double slack = 1e-9;
     // Written so that NaN is outside.
     if (!(out >= low - slack * std::fabs(low) && out <= high + slack * std::fabs(high)) ||

@@ -2,6 +2,7 @@
 #ifndef TSUYA_DEMO_COMMAND_FUNCTION_H
 #define TSUYA_DEMO_COMMAND_FUNCTION_H
 
+#include <tsuya/hair_shadow.h>
 #include <tsuya/model.h>
 
 #include <cstdint>
@@ -12,6 +13,8 @@ namespace tsuya::command {
 
 std::string model_name(const tsu_model *model);
 std::vector<std::string> model_names();
+// Techniques of self-shadow: they have text and a place in the list of models, and no function.
+std::vector<std::string> technique_names();
 // The model, or NULL with an error that names the nearest one and all.
 const tsu_model *find_model(const std::string &name, std::string &error);
 
@@ -23,6 +26,8 @@ struct Value {
     double scale = 1;   // API value of 1 in the column: pi/180 or 1
     bool material = false;
     double minimum = 0, maximum = 0, default_value = 0; // in units of the API
+    std::vector<std::string> words; // names of 0, 1, 2 ...; empty: a number
+    std::size_t words_on_tables = 0; // those that the tables and the shader know
 };
 
 struct Function {
@@ -43,10 +48,14 @@ bool find_function(const std::string &name, const std::string &model, const std:
                    Function &out, std::string &error);
 
 // Turns a column's number into the API's unit and checks it: finite and inside [minimum, maximum].
+// "inf" is taken where the maximum stands for it (TSU_VALUE_INFINITE).
 // A value outside by at most 1e-9 of the limit is taken as the limit, because degrees to radians
 // rounds.
 // Errors: "91 is outside [-90, 90]" in the column's unit.
 bool to_api(const Value &value, double number, double &out, std::string &error);
+
+// The number of a word of `value`, which has words. Errors: no such word; the text lists them.
+bool word_to_api(const Value &value, const std::string &word, double &out, std::string &error);
 
 } // namespace tsuya::command
 

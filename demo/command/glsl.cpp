@@ -29,7 +29,10 @@ Manual manual()
         "  tsu_M_lobes tsu_M_eval(int material, vec3 t, vec3 l, vec3 v, vec3 sigma_a, ...);\n"
         "  vec3 tsu_M_sum(tsu_M_lobes lobes);\n"
         "Models: " +
-            joined(model_names()) + ".\n",
+            joined(model_names()) +
+            ".\n"
+            "Techniques of self-shadow, alone or among models, without --harness: " +
+            joined(technique_names()) + ".\n",
         {{"--target", "TARGET", "language: " + joined(targets)},
          {"--harness", "",
           "one complete fragment shader: varyings t, l, v, sigma_a, flat material\n"
@@ -113,7 +116,8 @@ int command_glsl(int argc, char **argv)
     if (arguments.positional().size() != 1) {
         return complain("glsl",
                         arguments.positional().empty()
-                            ? "no model is given; the models are " + joined(model_names()) + "."
+                            ? "no model is given; the models are " + joined(model_names()) +
+                                  ", the shadows " + joined(technique_names()) + "."
                             : "join several models with commas: " + arguments.positional()[0] +
                                   "," + arguments.positional()[1] + ".",
                         exit_bad_input);

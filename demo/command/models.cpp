@@ -5,7 +5,7 @@
 #include "json.h"
 #include "number.h"
 
-#include <tsuya/model.h>
+#include <tsuya/hair_shadow.h>
 
 #include <algorithm>
 #include <cstring>
@@ -156,6 +156,7 @@ void model_json(Json &json, const tsu_model *model)
     tsu_model_describe(model, &info);
     json.open('{').field("name", info.name).field("title", info.title);
     json.field("source", info.source);
+    json.field("kind", info.flags & TSU_MODEL_SHADOW ? "shadow" : "fibre");
     parameters_json(json, model, info);
     tables_json(json, model, info);
     errors_json(json, model, info);
@@ -246,8 +247,10 @@ int command_models(int argc, char **argv)
     Json json;
     json.open('{').key("models").open('[');
     std::string text;
-    for (std::uint32_t i = 0; i < tsu_model_count(); i++) {
-        const tsu_model *const model = tsu_model_at(i);
+    for (std::uint32_t i = 0; i < tsu_model_count() + tsu_hair_shadow_count(); i++) {
+        const tsu_model *const model = i < tsu_model_count()
+                                           ? tsu_model_at(i)
+                                           : tsu_hair_shadow_at(i - tsu_model_count());
         if (only && model != only) {
             continue;
         }

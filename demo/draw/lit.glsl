@@ -1,6 +1,7 @@
 // Radiance of a fibre towards the viewer from a range of lights: one call of the model for each.
 //
-// HAIR(t, l, v, sigma_a) is the model's entry and its sum of lobes.
+// HAIR(t, l, v, sigma_a, shadow) is the model's entry and its sum of lobes, with the shadow as its
+// extra inputs; SCATTERS is defined when it takes some: it is then multiplied by no transmittance.
 
 uniform vec3 u_sigma_a;
 uniform float u_variation; // deviation of ln(sigma_a) from strand to strand
@@ -24,14 +25,23 @@ vec3 lit(vec3 t, vec3 v, vec3 position, float seed)
     vec3 place = grid_place(position);
     vec3 sum = vec3(0.0);
     for (int k = u_groups_begin; k < u_groups_end; k++) {
-        vec4 count = fibres(place, k);
+        vec4 front = fibres(place, k);
+        vec4 behind = beyond(place, k);
         for (int i = 0; i < 4; i++) {
-            vec3 passed = exp(-u_loss * count[i]);
             vec3 color = u_light_color[4 * k + i];
-            if (max(passed.r, max(passed.g, passed.b)) > FAINT &&
-                max(color.r, max(color.g, color.b)) > 0.0) {
-                sum += passed * color * HAIR(t, u_light_direction[4 * k + i], v, sigma_a);
+            if (max(color.r, max(color.g, color.b)) <= 0.0) {
+                continue;
             }
+            vec3 l = u_light_direction[4 * k + i];
+            tsu_hair_shadow shadow = shadow_of(4 * k + i, position, l, front[i], behind[i]);
+#ifdef SCATTERS
+            sum += color * HAIR(t, l, v, sigma_a, shadow);
+#else
+            vec3 share = passed(shadow);
+            if (max(share.r, max(share.g, share.b)) > FAINT) {
+                sum += share * color * HAIR(t, l, v, sigma_a, shadow);
+            }
+#endif
         }
     }
     return sum;

@@ -12,6 +12,7 @@
 
 #include "draw/grid.h"
 #include "draw/lights.h"
+#include "draw/maps.h"
 #include "draw/shading.h"
 #include "draw/strands.h"
 #include "draw/target.h"
@@ -24,6 +25,10 @@
 #include <vector>
 
 namespace tsuya::draw {
+
+// How light is dimmed by the hair in its way. Maps serve the first maps_most lights; the sky, the
+// head and further lights have the grid. A context that cannot draw maps has the grid for all.
+enum class Shadow { none, grid, deep_opacity, opacity_shadow };
 
 // What to draw besides the material. Lengths in metres, colours linear Rec. 709.
 struct Frame {
@@ -42,7 +47,9 @@ struct Frame {
     glm::vec3 skin{0.32f, 0.22f, 0.17f}; // albedo of the head
     bool head = true;
     int sky_samples = 24;     // of the model over the sphere, in each point of a strand, >= 1
-    bool shadow = true;       // dim each light by the hair in its way
+    Shadow shadow = Shadow::grid;
+    int shadow_layers = 8;    // of a map, [1, 8]
+    int shadow_size = 0;      // texels along a map's side, [8, 8192]; 0: chosen from the strands
     glm::vec3 loss{1.0f};     // share of light that one fibre takes out of the way, [0, 1]
     glm::vec3 sigma_a{0.0f};  // absorption per fibre radius
     float variation = 0.0f;   // deviation of ln(sigma_a) from strand to strand
@@ -96,6 +103,17 @@ class Renderer
     // counted.
     std::size_t reached(const Frame &frame);
 
+    // What the last draw() could not do as asked, and did in another way; empty: nothing.
+    const std::string &note() const
+    {
+        return note_;
+    }
+    // Maps of the last draw().
+    const Maps &maps() const
+    {
+        return *maps_;
+    }
+
     const Shading &shading() const
     {
         return *shading_;
@@ -105,8 +123,11 @@ class Renderer
     Renderer() = default;
     Expected<bool> build();
     void shadows(const Frame &frame);
+    void sweep(const std::vector<glm::vec3> &directions, GLuint texture, float sign);
+    void map_shadows(const Frame &frame);
     enum class Which { lights, sky, both };
     void lights(const Program &program, const Frame &frame, Which which) const;
+    glm::mat4 to_solid(const Frame &frame) const;
     void sky(const Frame &frame);
     void strands(const Program &program, const Frame &frame, int width, int height) const;
     void head(const Frame &frame);
@@ -114,6 +135,9 @@ class Renderer
     gl_api gl_{};
     std::unique_ptr<Shading> shading_;
     std::unique_ptr<Strands> strands_;
+    std::unique_ptr<Maps> maps_;
+    bool mapped_ = false; // this frame's first lights have maps
+    std::string note_;
     std::unique_ptr<Target> sky_, samples_, resolved_, shown_;
     Program head_program_, resolve_, display_, identity_;
     groom::Groom groom_;
@@ -121,7 +145,8 @@ class Renderer
     Grid grid_;
     float grid_scale_ = 0.0f;     // width scale that the grid was filled with; 0: not filled
     std::vector<glm::vec3> swept_; // light directions in the groom's space of the shadow texture
-    GLuint fibres_ = 0, head_array_ = 0, head_vertices_ = 0, head_elements_ = 0, empty_ = 0;
+    bool swept_beyond_ = false;
+    GLuint fibres_ = 0, beyond_ = 0, head_array_ = 0, head_vertices_ = 0, head_elements_ = 0, empty_ = 0;
     GLsizei head_count_ = 0;
 };
 

@@ -1,5 +1,7 @@
 #include "draw/shading.h"
 
+#include <tsuya/models/deep_opacity.h>
+#include <tsuya/models/opacity_shadow.h>
 #include <tsuya/set.h>
 
 #include <fstream>
@@ -80,50 +82,86 @@ Shading::~Shading()
     tsu_context_destroy(context_);
 }
 
-Expected<Shading::Programs> Shading::build(const tsu_model *model)
+namespace {
+
+// Macros between the library's text and the demo's: how this model takes the shadow.
+Expected<std::string> glue(const tsu_model *model, bool &beyond)
 {
     tsu_model_info info;
     tsu_model_info_init(&info);
     tsu_model_describe(model, &info);
+    const std::string name = std::string("tsu_") + info.name;
+    std::string extra, defines;
+    beyond = false;
     for (uint32_t i = 0; i < info.input_count; i++) {
         tsu_input_info input;
         tsu_input_info_init(&input);
         tsu_model_input(model, i, &input);
-        if (input.flags & TSU_INPUT_EXTRA) {
-            return Error{std::string("model ") + info.name + " needs the input " + input.name +
+        if (!(input.flags & TSU_INPUT_EXTRA)) {
+            continue;
+        }
+        const std::string which = input.name;
+        if (which != "front" && which != "behind" && which != "direct") {
+            return Error{std::string("model ") + info.name + " needs the input " + which +
                          ", which strands drawn here do not have"};
         }
+        beyond = beyond || which == "behind";
+        extra += ", shadow." + which;
     }
+    if (!extra.empty()) {
+        defines += "#define SCATTERS 1\n";
+    }
+    if (beyond) {
+        defines += "#define BEYOND 1\n";
+    }
+    // The material is the only one of its page.
+    return "\n" + defines + "#define HAIR(t, l, v, sigma_a, shadow) " + name + "_sum(" + name +
+           "_eval(0, t, l, v, sigma_a" + extra + "))\n";
+}
 
+} // namespace
+
+Expected<std::string> Shading::library(const std::vector<const tsu_model *> &models)
+{
     tsu_shader_desc desc;
     tsu_shader_desc_init(&desc);
     desc.target = gl_.es ? TSU_TARGET_300ES : TSU_TARGET_330;
-    desc.model_count = 1;
-    desc.models = &model;
+    desc.model_count = uint32_t(models.size());
+    desc.models = models.data();
     tsu_shader *shader = nullptr;
     message_.clear();
     const tsu_status status = tsu_shader_create(context_, &desc, &shader);
     if (status != TSU_OK) {
         return failed("no shader text", status);
     }
-    const std::string name = std::string("tsu_") + info.name;
-    // The material is the only one of its page.
-    const std::string call = "\n#define HAIR(t, l, v, sigma_a) " + name + "_sum(" + name +
-                             "_eval(0, t, l, v, sigma_a))\n";
-    const std::string text = tsu_shader_text(shader, nullptr) + call;
+    const std::string text = tsu_shader_text(shader, nullptr);
     tsu_shader_destroy(shader);
+    return text;
+}
 
+Expected<Shading::Programs> Shading::build(const tsu_model *model)
+{
+    bool beyond = false;
+    const Expected<std::string> macros = glue(model, beyond);
+    if (!macros) {
+        return Error{macros.error()};
+    }
+    const Expected<std::string> text =
+        library({model, tsu_deep_opacity(), tsu_opacity_shadow()});
+    if (!text) {
+        return Error{text.error()};
+    }
     const auto file = [&](const char *which) { return source(folders_.demo, which); };
     Expected<Program> strand =
         link(gl_, {file("strand.vert.glsl")},
-             {text, file("coverage.glsl"), file("light.glsl"), file("lit.glsl"),
-              file("strand.frag.glsl")});
+             {*text, *macros, file("coverage.glsl"), file("light.glsl"), file("shadow.glsl"),
+              file("lit.glsl"), file("strand.frag.glsl")});
     if (!strand) {
         return Error{strand.error()};
     }
     Expected<Program> sky = link(gl_, {file("screen.vert.glsl")},
-                                 {text, file("light.glsl"), file("lit.glsl"),
-                                  file("sky.frag.glsl")});
+                                 {*text, *macros, file("light.glsl"), file("shadow.glsl"),
+                                  file("lit.glsl"), file("sky.frag.glsl")});
     if (!sky) {
         return Error{sky.error()};
     }
@@ -134,7 +172,42 @@ Expected<Shading::Programs> Shading::build(const tsu_model *model)
             return failed("the program cannot be set up", bound);
         }
     }
-    return Expected<Programs>(Programs{std::move(*strand), std::move(*sky)});
+    return Expected<Programs>(Programs{std::move(*strand), std::move(*sky), beyond});
+}
+
+Expected<Shading::MapPrograms> Shading::build_maps(const tsu_model *technique)
+{
+    const auto file = [&](const char *which) { return source(folders_.demo, which); };
+    const Expected<std::string> text = library({technique});
+    if (!text) {
+        return Error{text.error()};
+    }
+    const std::string define = technique == tsu_deep_opacity() ? "\n#define FROM_FRONT 1\n" : "\n";
+    Expected<Program> front = link(gl_, {file("strand.vert.glsl")},
+                                   {file("coverage.glsl"), file("front.frag.glsl")});
+    if (!front) {
+        return Error{front.error()};
+    }
+    Expected<Program> layers = link(gl_, {file("strand.vert.glsl")},
+                                    {*text, define, file("coverage.glsl"),
+                                     file("layers.frag.glsl")});
+    if (!layers) {
+        return Error{layers.error()};
+    }
+    return Expected<MapPrograms>(MapPrograms{std::move(*front), std::move(*layers)});
+}
+
+Expected<const Shading::MapPrograms *> Shading::maps(const tsu_model *technique)
+{
+    if (technique != technique_) {
+        Expected<MapPrograms> programs = build_maps(technique);
+        if (!programs) {
+            return Error{programs.error()};
+        }
+        map_programs_ = std::move(*programs);
+        technique_ = technique;
+    }
+    return Expected<const MapPrograms *>(&map_programs_);
 }
 
 Expected<bool> Shading::set(const tsu_model *model, const void *params)
@@ -184,6 +257,7 @@ Expected<bool> Shading::reload()
         }
         programs_ = std::move(*programs);
     }
+    technique_ = nullptr;
     return true;
 }
 

@@ -43,6 +43,24 @@ class Shading
     const Program &bind_strand(); // strand.vert.glsl and strand.frag.glsl
     const Program &bind_sky();    // screen.vert.glsl and sky.frag.glsl
 
+    // Does the model ask how much hair is behind a fibre?
+    bool beyond() const
+    {
+        return programs_.beyond;
+    }
+
+    // Programs that draw the maps of a technique of self-shadow: strand.vert.glsl with
+    // front.frag.glsl and with layers.frag.glsl. Built when the technique changes.
+    // Errors: a shader that does not compile.
+    struct MapPrograms {
+        Program front, layers;
+    };
+    Expected<const MapPrograms *> maps(const tsu_model *technique);
+
+    tsu_context *context() const
+    {
+        return context_;
+    }
     const tsu_model *model() const
     {
         return model_;
@@ -59,7 +77,10 @@ class Shading
     // The programs that call the model's entry.
     struct Programs {
         Program strand, sky;
+        bool beyond = false; // the model has the input `behind`
     };
+    Expected<std::string> library(const std::vector<const tsu_model *> &models);
+    Expected<MapPrograms> build_maps(const tsu_model *technique);
     Expected<Programs> build(const tsu_model *model);
     const Program &bind(const Program &program);
     static void log(void *user, int32_t level, int32_t code, const char *text);
@@ -74,6 +95,8 @@ class Shading
     const tsu_model *model_ = nullptr;
     uint32_t material_ = 0;
     Programs programs_;
+    const tsu_model *technique_ = nullptr;
+    MapPrograms map_programs_;
     std::string message_; // last error that the library logged
     std::string text_;    // last file that it read
 };

@@ -10,6 +10,7 @@ uniform highp sampler2D u_strands;
 uniform mat4 u_model;
 uniform vec3 u_eye;
 uniform int u_samples;
+uniform float u_sky_lights; // lights that the sky is made of
 out vec4 o_color;
 
 // Spread of the samples around the mirror cone, radians: between the widths of narrow and wide
@@ -22,10 +23,29 @@ vec3 world(ivec2 size, int index)
     return (u_model * vec4(point.xyz, 1.0)).xyz;
 }
 
-// Integral of the model over all light directions. Inclinations follow a Cauchy density around the
+// Light from direction l: irradiance of the sky's light nearest to it, and the hair on its way.
+vec3 sky_light(vec3 place, vec3 position, vec3 l, out tsu_hair_shadow shadow)
+{
+    int nearest = 4 * u_groups_begin;
+    float best = -2.0;
+    for (int i = 4 * u_groups_begin; i < 4 * u_groups_end; i++) {
+        float angle = dot(l, u_light_direction[i]);
+        if (angle > best && dot(u_light_color[i], vec3(1.0)) > 0.0) {
+            best = angle;
+            nearest = i;
+        }
+    }
+    vec4 front = fibres(place, nearest / 4);
+    vec4 behind = beyond(place, nearest / 4);
+    shadow = tsu_hair_shadow_count(front[nearest % 4], behind[nearest % 4]);
+    return u_light_color[nearest];
+}
+
+// Integral of the model over all light directions; of its product with the sky's irradiances when
+// it takes the shadow itself. Inclinations follow a Cauchy density around the
 // mirror cone, azimuths are uniform, both by a low-discrepancy sequence (Roberts 2018, "The
 // Unreasonable Effectiveness of Quasirandom Sequences") that starts elsewhere in each point.
-vec3 albedo(vec3 t, vec3 v, vec3 sigma_a, vec2 start)
+vec3 albedo(vec3 t, vec3 v, vec3 sigma_a, vec3 place, vec3 position, vec2 start)
 {
     float sin_r = clamp(dot(t, v), -1.0, 1.0);
     vec3 u = v - t * sin_r;
@@ -42,7 +62,14 @@ vec3 albedo(vec3 t, vec3 v, vec3 sigma_a, vec2 start)
         float phi = 6.28318531 * at.y;
         vec3 l = t * sin(theta) + cos(theta) * (u * cos(phi) + w * sin(phi));
         float density = 1.0 / ((high - low) * SPREAD * (1.0 + x * x) * 6.28318531);
-        sum += HAIR(t, l, v, sigma_a) * (max(cos(theta), 0.0) / density);
+        float weight = max(cos(theta), 0.0) / density;
+        tsu_hair_shadow shadow = tsu_hair_shadow_none();
+#ifdef SCATTERS
+        vec3 irradiance = sky_light(place, position, l, shadow);
+        sum += irradiance * HAIR(t, l, v, sigma_a, shadow) * weight;
+#else
+        sum += HAIR(t, l, v, sigma_a, shadow) * weight;
+#endif
     }
     return sum / float(u_samples);
 }
@@ -62,6 +89,14 @@ void main()
     vec3 t = normalize(after - before);
 
     vec3 place_in_grid = grid_place(here);
+    vec2 start = fract(vec2(float(index % 8191) * 0.61803399, float(index % 8179) * 0.41421356) +
+                       strand.z);
+    vec3 scattered = albedo(t, normalize(u_eye - here), strand_sigma_a(strand.z), place_in_grid,
+                            here, start);
+#ifdef SCATTERS
+    // Each light stands for 4 pi / u_sky_lights of the sphere.
+    o_color = vec4(scattered * u_sky_lights / 12.5663706, 1.0);
+#else
     vec3 irradiance = vec3(0.0);
     for (int k = u_groups_begin; k < u_groups_end; k++) {
         vec4 count = fibres(place_in_grid, k);
@@ -69,8 +104,6 @@ void main()
             irradiance += exp(-u_loss * count[i]) * u_light_color[4 * k + i];
         }
     }
-    vec2 start = fract(vec2(float(index % 8191) * 0.61803399, float(index % 8179) * 0.41421356) +
-                       strand.z);
-    vec3 scattered = albedo(t, normalize(u_eye - here), strand_sigma_a(strand.z), start);
     o_color = vec4(irradiance / 12.5663706 * scattered, 1.0);
+#endif
 }

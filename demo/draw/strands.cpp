@@ -147,6 +147,11 @@ void Strands::choose(const std::vector<char> &strands, const glm::mat4 &view, fl
     upload(order);
 }
 
+void Strands::all()
+{
+    upload(first_);
+}
+
 void Strands::upload(const std::vector<std::uint32_t> &order)
 {
     std::vector<std::uint32_t> elements(order.size() * 6);

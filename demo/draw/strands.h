@@ -34,6 +34,9 @@ class Strands
     // Take only the strands whose flag is set, in no special order.
     void choose(const std::vector<char> &strands, const glm::mat4 &view, float near);
 
+    // Take all segments, in the groom's order.
+    void all();
+
     // Draw what was ordered, with the program and its uniforms that are bound.
     // GL: leaves units 1 and 2, the vertex array and the element buffer bound.
     void draw() const;

@@ -212,7 +212,12 @@ draw::Frame frame(const Scene &scene, const Hair &hair, const Material &material
     frame.sky_samples = scene.dome_samples;
     frame.background = glm::vec3(scene.background);
     frame.head = scene.head == "auto";
-    frame.shadow = scene.shadow == "grid";
+    frame.shadow = scene.shadow == "deep_opacity"     ? draw::Shadow::deep_opacity
+                   : scene.shadow == "opacity_shadow" ? draw::Shadow::opacity_shadow
+                   : scene.shadow == "grid"           ? draw::Shadow::grid
+                                                      : draw::Shadow::none;
+    frame.shadow_layers = scene.shadow_layers;
+    frame.shadow_size = scene.shadow_size;
     frame.loss = glm::vec3(1.0 - forward * material.albedo);
     frame.sigma_a = glm::vec3(material.sigma_a);
     frame.variation = float(scene.variation);

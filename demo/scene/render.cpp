@@ -149,6 +149,9 @@ int render(const scene::Scene &scene, const std::string &path, int frames, std::
         }
         const draw::Picture picture = renderer.picture();
         draw_time += one.seconds();
+        if (!renderer.note().empty() && i == 0) {
+            std::fprintf(stderr, "tsuya render: %s.\n", renderer.note().c_str());
+        }
         if (i == 0) {
             numbers = scene::numbers(picture);
         }
@@ -163,6 +166,15 @@ int render(const scene::Scene &scene, const std::string &path, int frames, std::
         }
     }
     progress("");
+    if (!renderer.maps().plans().empty()) {
+        const tsu_hair_shadow_plan &plan = renderer.maps().plans()[0];
+        char text[160];
+        std::snprintf(text, sizeof text,
+                      "shadow map       %ux%u, %u layers, texel %.4g mm, strand spacing %.4g mm\n",
+                      plan.size, plan.size, plan.layers, 1e3 * double(plan.texel),
+                      1e3 * double(plan.spacing));
+        said += text;
+    }
     char times[128];
     std::snprintf(times, sizeof times,
                   "time             %.2f s: hair %.2f, drawing %.2f, %d frame%s\n",

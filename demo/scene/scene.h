@@ -66,6 +66,8 @@ struct Scene {
     glm::dvec3 dome_color{1.0};
     int dome_samples = 24;
     std::string shadow = "grid";
+    int shadow_layers = 8;
+    int shadow_size = 0;
 
     double camera_azimuth = 25.0; // degrees, like all angles of the camera
     double camera_elevation = 5.0;

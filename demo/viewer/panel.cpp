@@ -99,10 +99,7 @@ void lights(scene::Scene &scene)
 {
     pick("lights", scene.light, {"key", "front", "side", "back", "none"});
     slide("dome", scene.dome, 0.0, 10.0);
-    bool grid = scene.shadow == "grid";
-    if (ImGui::Checkbox("hair shadow", &grid)) {
-        scene.shadow = grid ? "grid" : "none";
-    }
+    pick("hair shadow", scene.shadow, {"grid", "deep_opacity", "opacity_shadow", "none"});
     slide("exposure", scene.exposure, -5.0, 5.0);
     bool film = scene.tone == "film";
     if (ImGui::Checkbox("film curve", &film)) {

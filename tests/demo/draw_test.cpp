@@ -227,7 +227,7 @@ void strand_has_its_area(void **)
                 draw::Frame frame;
                 frame.width = frame.height = size;
                 frame.taper = 0.0f;
-                frame.shadow = false;
+                frame.shadow = draw::Shadow::none;
                 // One world unit is one pixel.
                 frame.projection = glm::ortho(-48.0f, 48.0f, -48.0f, 48.0f, 0.1f, 100.0f);
                 frame.view = glm::translate(glm::mat4(1.0f), glm::vec3(0.0f, 0.0f, -50.0f));

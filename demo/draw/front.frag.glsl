@@ -1,0 +1,8 @@
+// First fibre of a light's map: depth alone.
+
+void main()
+{
+    if (coverage() <= 0.0) {
+        discard;
+    }
+}
