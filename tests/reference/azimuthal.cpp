@@ -17,10 +17,11 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 constexpr int rows = 257;
-constexpr int inner = 5; // A_0 .. A_3 and all of p >= 4
+constexpr int inner = 5;       // A_0 .. A_3 and all of p >= 4
+constexpr int nodes_most = 16; // of the interpolation in u
 
-// Columns a deviation apart would lose half a peak; linear interpolation between those beta/16 apart
-// loses a part in 2000 of it.
+// Columns a deviation apart would lose half a peak; linear interpolation between those beta/16
+// apart loses a part in 2000 of it.
 constexpr double columns_per_beta = 16.0;
 
 int stride(std::size_t nodes)
@@ -88,7 +89,8 @@ Azimuthal::Azimuthal(const AzimuthalParams &params) : params_(params)
 {
     columns_ = int(std::ceil(columns_per_beta * pi / params.beta_az)) + 1;
     // Chebyshev's nodes: N is an entire function of u, so few suffice.
-    const int count = params.variation > 0.0 ? std::min(4 + int(8.0 * params.variation), 12) : 1;
+    const int count =
+        params.variation > 0.0 ? std::min(4 + int(14.0 * params.variation), nodes_most) : 1;
     for (int k = 0; k < count; k++) {
         const double angle = pi * (2 * k + 1) / (2.0 * count);
         nodes_.push_back(std::cos(angle));
@@ -162,7 +164,7 @@ void Azimuthal::density(double cos_theta_r, double phi, double u, glm::dvec3 n[l
     const double corner[4] = {(1.0 - fx) * (1.0 - fy), fx * (1.0 - fy), (1.0 - fx) * fy, fx * fy};
 
     // Barycentric form of Lagrange's polynomial through the nodes.
-    double share[12], total = 0.0;
+    double share[nodes_most], total = 0.0;
     for (std::size_t k = 0; k < nodes_.size(); k++) {
         const double away = u - nodes_[k];
         share[k] = weights_[k] / (std::abs(away) < 1e-12 ? 1e-12 : away);
@@ -173,8 +175,8 @@ void Azimuthal::density(double cos_theta_r, double phi, double u, glm::dvec3 n[l
     }
     const std::size_t width = std::size_t(stride(nodes_.size()));
     for (int q = 0; q < 4; q++) {
-        const std::size_t cell = std::size_t(j + q / 2) * std::size_t(columns_) +
-                                 std::size_t(i + q % 2);
+        const std::size_t cell =
+            std::size_t(j + q / 2) * std::size_t(columns_) + std::size_t(i + q % 2);
         const float *in = table_.data() + cell * width;
         n[0] += corner[q] * double(*in++);
         for (std::size_t k = 0; k < nodes_.size(); k++) {

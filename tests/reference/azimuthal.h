@@ -30,7 +30,7 @@ class Azimuthal
     //   cos_theta_r  of the view, [0, 1]
     //   phi          radians, any
     //   u            the strand's chance, [-1, 1]
-    // Error: 0.2 % of the peak over phi of the sum of lobes at the same u; tests/reference holds it
+    // Error: 0.1 % of the peak over phi of the sum of lobes at the same u; tests/reference holds it
     // over eta [1.3, 1.8], beta_az [5, 20] degrees, theta to 89 degrees.
     void density(double cos_theta_r, double phi, double u, glm::dvec3 n[lobes]) const;
 

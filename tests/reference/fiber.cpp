@@ -18,8 +18,8 @@ glm::dvec3 across(const glm::dvec3 &t, const glm::dvec3 &v, double &sin_theta)
     if (size > 1e-9) {
         return side / size;
     }
-    const glm::dvec3 other = std::abs(t.x) < 0.5 ? glm::dvec3(1.0, 0.0, 0.0)
-                                                 : glm::dvec3(0.0, 1.0, 0.0);
+    const glm::dvec3 other =
+        std::abs(t.x) < 0.5 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
     return glm::normalize(glm::cross(t, other));
 }
 
@@ -45,8 +45,7 @@ glm::dvec3 Fiber::value(const glm::dvec3 &t, const glm::dvec3 &l, const glm::dve
     double sin_i = 0.0, sin_r = 0.0;
     const glm::dvec3 side_i = across(t, l, sin_i), side_r = across(t, v, sin_r);
     // From the chord: the arc cosine would blur phi near 0 and pi.
-    const double phi = 2.0 * std::atan2(glm::length(side_i - side_r),
-                                        glm::length(side_i + side_r));
+    const double phi = 2.0 * std::atan2(glm::length(side_i - side_r), glm::length(side_i + side_r));
     const double theta_i = std::asin(sin_i), theta_r = std::asin(sin_r);
     glm::dvec3 n[lobes], sum(0.0);
     azimuthal_.density(std::cos(theta_r), phi, u, n);
@@ -56,8 +55,8 @@ glm::dvec3 Fiber::value(const glm::dvec3 &t, const glm::dvec3 &l, const glm::dve
     return sum;
 }
 
-glm::dvec3 Fiber::sample(const glm::dvec3 &t, const glm::dvec3 &v, double u,
-                         glm::dvec3 &throughput, Random &random) const
+glm::dvec3 Fiber::sample(const glm::dvec3 &t, const glm::dvec3 &v, double u, glm::dvec3 &throughput,
+                         Random &random) const
 {
     double sin_r = 0.0, phi = 0.0;
     const glm::dvec3 side = across(t, v, sin_r), up = glm::cross(t, side);

@@ -89,6 +89,7 @@ Summary Film::summary() const
         const double y = pixel.mean(3), error = pixel.standard_error(3);
         const double hair = pixel.samples ? pixel.hair / double(pixel.samples) : 0.0;
         result.samples = std::min(result.samples, pixel.samples);
+        result.samples_most = std::max(result.samples_most, pixel.samples);
         result.mean += y;
         variance += error * error;
         result.hair += hair * y;
@@ -114,9 +115,9 @@ Expected<bool> Film::write(const std::string &path, std::uint64_t key) const
     const bool good = image::replace_file(
         path,
         [&](std::FILE *file, std::string &why) {
-            const bool whole = std::fwrite(&header, sizeof header, 1, file) == 1 &&
-                               std::fwrite(pixels_.data(), sizeof(Pixel), pixels_.size(), file) ==
-                                   pixels_.size();
+            const bool whole =
+                std::fwrite(&header, sizeof header, 1, file) == 1 &&
+                std::fwrite(pixels_.data(), sizeof(Pixel), pixels_.size(), file) == pixels_.size();
             why = whole ? "" : std::strerror(errno);
             return whole;
         },

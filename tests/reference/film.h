@@ -31,12 +31,13 @@ struct Pixel {
 
 // What a whole picture says. Hair: weighed by the share of each pixel that it covers.
 struct Summary {
-    std::uint64_t samples = 0;   // least of any pixel
-    double mean = 0.0;           // luminance over all pixels
-    double mean_error = 0.0;     // its standard error
-    double hair = 0.0;           // luminance
-    double hair_error = 0.0;     // root mean square of the pixels' standard errors of luminance
-    double coverage = 0.0;       // mean share that hair covers
+    std::uint64_t samples = 0; // least of any pixel
+    std::uint64_t samples_most = 0;
+    double mean = 0.0;       // luminance over all pixels
+    double mean_error = 0.0; // its standard error
+    double hair = 0.0;       // luminance
+    double hair_error = 0.0; // root mean square of the pixels' standard errors of luminance
+    double coverage = 0.0;   // mean share that hair covers
 };
 
 class Film
@@ -73,8 +74,7 @@ class Film
 };
 
 // 64-bit FNV-1a of bytes, going on from `key`.
-std::uint64_t key_of(const void *bytes, std::size_t size,
-                     std::uint64_t key = 0xcbf29ce484222325u);
+std::uint64_t key_of(const void *bytes, std::size_t size, std::uint64_t key = 0xcbf29ce484222325u);
 
 } // namespace tsuya::reference
 

@@ -112,8 +112,8 @@ void attach_strands(Geometry::Data &data)
         vertices.insert(vertices.end(), {p.x, p.y, p.z, strands.radius[i]});
     }
     RTCGeometry curves = rtcNewGeometry(data.device, RTC_GEOMETRY_TYPE_FLAT_LINEAR_CURVE);
-    share(curves, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, vertices.data(),
-          4 * sizeof(float), strands.points.size());
+    share(curves, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, vertices.data(), 4 * sizeof(float),
+          strands.points.size());
     share(curves, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT, data.segment_point.data(),
           sizeof(std::uint32_t), data.segment_point.size());
     attach(data, curves, fibres_id);
@@ -133,8 +133,7 @@ void attach_surface(Geometry::Data &data)
     attach(data, triangles, surface_id);
 }
 
-template <class R>
-void aim(R &ray, const Query &query, const glm::dvec3 &direction, double back)
+template <class R> void aim(R &ray, const Query &query, const glm::dvec3 &direction, double back)
 {
     const glm::dvec3 origin = query.start->position - back * direction;
     ray.org_x = float(origin.x);
@@ -217,8 +216,8 @@ bool Geometry::meets(const Start &start, const glm::dvec3 &direction, double nea
         const std::uint32_t a = data.segment_point[ray.hit.primID];
         const Strands &strands = data.strands;
         hit.start.point = a;
-        hit.start.position = (1.0 - u) * glm::dvec3(strands.points[a]) +
-                             u * glm::dvec3(strands.points[a + 1]);
+        hit.start.position =
+            (1.0 - u) * glm::dvec3(strands.points[a]) + u * glm::dvec3(strands.points[a + 1]);
         hit.tangent = glm::normalize((1.0 - u) * glm::dvec3(strands.tangent[a]) +
                                      u * glm::dvec3(strands.tangent[a + 1]));
         hit.chance = strands.chance[data.segment_strand[ray.hit.primID]];

@@ -1,9 +1,9 @@
 // Fibres and a surface in Embree, as a far-field fibre wants them met.
 //
 // A fibre is met where a way comes closer to its axis than its radius. Seen from the way that is a
-// ribbon that faces it, as broad as the fibre, like the renderer's. Light leaves again from the axis,
-// so no part of the fibre it was at can be in its way twice: the stretch of the same strand that has
-// not yet departed from the new way is left out. A strand that curls back is met again.
+// ribbon that faces it, as broad as the fibre, like the renderer's. Light leaves again from the
+// axis, so no part of the fibre it was at can be in its way twice: the stretch of the same strand
+// that has not yet departed from the new way is left out. A strand that curls back is met again.
 #ifndef TSUYA_TESTS_REFERENCE_GEOMETRY_H
 #define TSUYA_TESTS_REFERENCE_GEOMETRY_H
 

@@ -84,8 +84,8 @@ double LongitudinalLobe::sample(double theta_r, Random &random) const
         const double along = 1.0 + v * std::log(1.0 - chance * -std::expm1(-2.0 / v));
         const double side = std::sqrt(std::max(0.0, 1.0 - along * along));
         const double centre = alpha_ - theta_r;
-        const double sin_i = along * std::sin(centre) +
-                             side * std::cos(2.0 * pi * random.unit()) * std::cos(centre);
+        const double sin_i =
+            along * std::sin(centre) + side * std::cos(2.0 * pi * random.unit()) * std::cos(centre);
         return std::asin(std::clamp(sin_i, -1.0, 1.0));
     }
     for (;;) {

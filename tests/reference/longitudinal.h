@@ -18,8 +18,8 @@ enum class Longitudinal {
     gaussian
 };
 
-// M(theta_i | theta_r) of a lobe with shift alpha and deviation beta, radians, in theta_i + theta_r.
-// Int M cos(theta_i) dtheta_i = 1 for every theta_r.
+// M(theta_i | theta_r) of a lobe with shift alpha and deviation beta, radians, in theta_i +
+// theta_r. Int M cos(theta_i) dtheta_i = 1 for every theta_r.
 class LongitudinalLobe
 {
   public:

@@ -29,8 +29,8 @@ void sample_row(const Tracer &tracer, const Camera &camera, const Work &work, Fi
 {
     for (int x = 0; x < film.width() && !stop; x++) {
         Pixel &pixel = film.at(x, y);
-        const std::uint64_t place = std::uint64_t(y) * std::uint64_t(film.width()) +
-                                    std::uint64_t(x);
+        const std::uint64_t place =
+            std::uint64_t(y) * std::uint64_t(film.width()) + std::uint64_t(x);
         while (pixel.samples < work.samples) {
             Random random(work.seed, place, pixel.samples);
             const double u = (x + random.unit()) / film.width();

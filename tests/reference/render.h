@@ -16,10 +16,10 @@ namespace tsuya::reference {
 // A perspective camera. Pixels are squares over which samples are uniform.
 struct Camera {
     glm::dvec3 eye{0.0};
-    glm::dmat3 world{1.0};    // columns: right, up, back
-    double tan_x = 0.5;       // of half the horizontal angle of view
+    glm::dmat3 world{1.0}; // columns: right, up, back
+    double tan_x = 0.5;    // of half the horizontal angle of view
     double tan_y = 0.5;
-    double near = 0.0;        // depth before which nothing is seen
+    double near = 0.0; // depth before which nothing is seen
 
     // Path through the picture at u to the right and v down, [0, 1].
     Path path(double u, double v) const;

@@ -31,14 +31,15 @@ constexpr double degree = 0.01745329251994329577;
 // Free paths are the unit of length. The random walk has fibres without breadth; with this radius
 // what is left of it, ways that go back where they have just come through, is a thousandth.
 constexpr double radius = 1e-3;
-// Of a fibre. A path is put back to its middle at every meeting, since the slab is the same all along.
+// Of a fibre. A path is put back to its middle at every meeting, since the slab is the same all
+// along.
 constexpr double half_length = 40.0;
-constexpr double half_space = 16.0; // as deep as a half space has to be
+constexpr double half_depth = 16.0; // as deep as a half space has to be
 
-// Light that enters within two radii meets the same fibre first, so a thin slab has to be broad.
+// Ways side by side within a radius meet the same fibres, so a slab has to be broad.
 double half_breadth(double depth)
 {
-    return depth > 8.0 ? 56.0 : 40.0 * 8.0 / depth;
+    return std::max(640.0 / depth, 80.0);
 }
 
 // Light enters this far from the sides.
@@ -73,20 +74,27 @@ std::shared_ptr<const Geometry> slab(double depth, std::uint64_t seed)
 }
 
 struct Tally {
-    double sum = 0.0, squares = 0.0;
+    double sum = 0.0, squares = 0.0, count = 0.0;
 
     void add(double x)
     {
         sum += x;
         squares += x * x;
+        count += 1.0;
     }
-    double mean(double n) const
+    void add(const Tally &other)
     {
-        return sum / n;
+        sum += other.sum;
+        squares += other.squares;
+        count += other.count;
     }
-    double error(double n) const
+    double mean() const
     {
-        return std::sqrt(std::max(squares / n - mean(n) * mean(n), 0.0) / n);
+        return sum / count;
+    }
+    double error() const
+    {
+        return std::sqrt(std::max(squares / count - mean() * mean(), 0.0) / count);
     }
 };
 
@@ -94,12 +102,12 @@ struct Measured {
     Tally back, through;
 };
 
-// Paths from the surface at inclination theta. They are traced like paths from the eye, which is the
-// way light would take backwards.
-Measured walk(const World &world, double depth, double theta, int paths, std::uint64_t seed)
+// Paths from the surface at inclination theta, added to `total`. They are traced like paths from
+// the eye, which is the way light would take backwards.
+void walk(const World &world, double depth, double theta, std::uint64_t seed, Measured &total)
 {
     const Tracer tracer(world);
-    constexpr int parts = 32;
+    constexpr int parts = 32, paths = 40000;
     const double half_window = half_breadth(depth) - margin(depth);
     std::vector<Measured> of(parts);
     std::atomic<int> next{0};
@@ -125,65 +133,77 @@ Measured walk(const World &world, double depth, double theta, int paths, std::ui
     for (unsigned i = 0; i < std::max(1u, std::thread::hardware_concurrency()); i++) {
         threads.emplace_back(part);
     }
-    Measured total;
     for (std::thread &thread : threads) {
         thread.join();
     }
     for (const Measured &one : of) {
-        total.back.sum += one.back.sum;
-        total.back.squares += one.back.squares;
-        total.through.sum += one.through.sum;
-        total.through.squares += one.through.squares;
+        total.back.add(one.back);
+        total.through.add(one.through);
     }
-    return total;
 }
 
-class Slabs
-{
-  public:
-    explicit Slabs(Longitudinal kind) : kind_(kind)
-    {
-    }
+struct Row {
+    SlabTruth truth;
+    bool half_space;
+    Measured measured;
 
-    World world(double sigma_a, double depth)
+    double depth() const
     {
-        std::shared_ptr<const Fiber> &fiber = fibers_[sigma_a];
-        if (!fiber) {
-            FiberParams params;
-            params.longitudinal = kind_;
-            params.sigma_a = glm::dvec3(sigma_a);
-            fiber = std::make_shared<Fiber>(params);
-        }
-        std::shared_ptr<const Geometry> &geometry = slabs_[depth];
-        if (!geometry) {
-            geometry = slab(depth, std::uint64_t(depth));
-        }
-        World world;
-        world.fiber = fiber;
-        world.geometry = geometry;
-        return world;
+        return half_space ? half_depth : truth.tau;
     }
-
-  private:
-    Longitudinal kind_;
-    std::map<double, std::shared_ptr<const Fiber>> fibers_;
-    std::map<double, std::shared_ptr<const Geometry>> slabs_;
 };
 
+// Every row, in slabs of as many random arrangements as there are rounds.
+std::vector<Row> walk_all(Longitudinal kind, int rounds)
+{
+    std::map<double, std::shared_ptr<const Fiber>> fibers;
+    std::vector<Row> rows;
+    for (const SlabTruth &truth : slab_truth) {
+        rows.push_back({truth, false, {}});
+    }
+    for (const SlabTruth &truth : half_space_truth) {
+        rows.push_back({truth, true, {}});
+    }
+    for (const Row &row : rows) {
+        FiberParams params;
+        params.longitudinal = kind;
+        params.sigma_a = glm::dvec3(row.truth.sigma_a);
+        if (!fibers[row.truth.sigma_a]) {
+            fibers[row.truth.sigma_a] = std::make_shared<Fiber>(params);
+        }
+    }
+    std::uint64_t seed = 1;
+    for (double depth : {1.0, 2.0, 4.0, 8.0, half_depth}) {
+        for (int round = 0; round < rounds; round++) {
+            World world;
+            world.geometry = slab(depth, seed++);
+            for (Row &row : rows) {
+                if (row.depth() == depth) {
+                    world.fiber = fibers[row.truth.sigma_a];
+                    walk(world, depth, row.truth.theta * degree, seed++, row.measured);
+                }
+            }
+        }
+    }
+    return rows;
+}
+
 struct Scores {
-    double squares = 0.0, most = 0.0, difference = 0.0;
+    double squares = 0.0, most = 0.0;
     int count = 0;
 
-    void add(const SlabTruth &row, const char *what, const Tally &tally, int paths, double truth,
-             double truth_error)
+    // `model` is how far the fibre may be from the truth's.
+    void add(const Row &row, const char *what, const Tally &tally, double truth, double truth_error,
+             double model)
     {
-        const double mean = tally.mean(paths), off = mean - truth;
-        const double z = off / std::hypot(tally.error(paths), truth_error);
+        const double off = tally.mean() - truth;
+        const double z = off / std::hypot(tally.error(), truth_error);
+        const double beyond = std::max(std::abs(off) - model, 0.0) * std::abs(z / off);
         std::printf("sigma_a %4g theta %3g tau %2g %-7s %.5f +- %.5f, truth %.5f: z %+.2f\n",
-                    row.sigma_a, row.theta, row.tau, what, mean, tally.error(paths), truth, z);
-        squares += z * z;
-        most = std::max(most, std::abs(z));
-        difference = std::max(difference, std::abs(off));
+                    row.truth.sigma_a, row.truth.theta, row.truth.tau, what, tally.mean(),
+                    tally.error(), truth, z);
+        squares += beyond * beyond;
+        most = std::max(most, beyond);
         count++;
     }
     double rms() const
@@ -192,39 +212,33 @@ struct Scores {
     }
 };
 
-Scores compare(Longitudinal kind, int paths)
+Scores compare(Longitudinal kind, int rounds, double model, double model_oblique)
 {
-    Slabs slabs(kind);
     Scores scores;
-    std::uint64_t seed = 1;
-    for (const SlabTruth &row : slab_truth) {
-        const Measured m = walk(slabs.world(row.sigma_a, row.tau), row.tau,
-                                row.theta * degree, paths, seed++);
-        scores.add(row, "back", m.back, paths, row.back, row.back_error);
-        scores.add(row, "through", m.through, paths, row.through, row.through_error);
+    for (const Row &row : walk_all(kind, rounds)) {
+        const SlabTruth &t = row.truth;
+        const double near = std::abs(t.theta) > 45.0 ? model_oblique : model;
+        scores.add(row, "back", row.measured.back, t.back, t.back_error, near);
+        if (!row.half_space) {
+            scores.add(row, "through", row.measured.through, t.through, t.through_error, near);
+        }
     }
-    for (const SlabTruth &row : half_space_truth) {
-        const Measured m = walk(slabs.world(row.sigma_a, half_space), half_space,
-                                row.theta * degree, paths, seed++);
-        scores.add(row, "back", m.back, paths, row.back, row.back_error);
-    }
-    std::printf("%d figures: rms z %.2f, max |z| %.2f, max difference %.5f\n", scores.count,
-                scores.rms(), scores.most, scores.difference);
+    std::printf("%d figures: rms z %.2f, max |z| %.2f\n", scores.count, scores.rms(), scores.most);
     return scores;
 }
 
 void agrees_with_the_random_walk(void **)
 {
-    const Scores scores = compare(Longitudinal::gaussian, is_long() ? 800000 : 40000);
+    const Scores scores = compare(Longitudinal::gaussian, is_long() ? 20 : 1, 0.0, 0.0);
     assert_true(scores.rms() <= 1.3);
     assert_true(scores.most <= 4.5);
 }
 
-// The shipped lobe is another one, of the same shift, width and energy.
+// The shipped lobe is another one, of the same shift, width and energy:
 void shipped_lobe_is_near(void **)
 {
-    const Scores scores = compare(Longitudinal::deon, is_long() ? 800000 : 40000);
-    assert_true(scores.difference <= 0.003);
+    const Scores scores = compare(Longitudinal::deon, is_long() ? 20 : 1, 0.003, 0.003);
+    assert_true(scores.most <= 4.5);
 }
 
 } // namespace

@@ -1,10 +1,10 @@
-// Slabs of random parallel fibres: figures of an independent random walk without geometry (exponential
-// free paths, 300000 photons a row for slabs, 800000 for the half space), for the fibre whose lobes are
-// Gaussian in theta_i + theta_r, normalised, with all lobes: eta 1.55, beta_az 10, alpha_R -7.5, beta_R
-// 7.5 degrees, azimuthal scattering at the fixed inclination. tau is the mean number of fibres that a
-// straight way along the surface's normal meets; light comes in the plane of axis and normal at
-// inclination theta, degrees. Power that comes back and goes through, the unscattered part included,
-// over the power that comes in, with standard errors.
+// Slabs of random parallel fibres: figures of an independent random walk without geometry
+// (exponential free paths, 300000 photons a row for slabs, 800000 for the half space), for the
+// fibre whose lobes are Gaussian in theta_i + theta_r, normalised, with all lobes: eta 1.55,
+// beta_az 10, alpha_R -7.5, beta_R 7.5 degrees, azimuthal scattering at the fixed inclination. tau
+// is the mean number of fibres that a straight way along the surface's normal meets; light comes in
+// the plane of axis and normal at inclination theta, degrees. Power that comes back and goes
+// through, the unscattered part included, over the power that comes in, with standard errors.
 #ifndef TSUYA_TESTS_REFERENCE_SLAB_TRUTH_H
 #define TSUYA_TESTS_REFERENCE_SLAB_TRUTH_H
 
@@ -43,16 +43,11 @@ constexpr SlabTruth slab_truth[] = {
 
 // The half space: its light that goes through is none.
 constexpr SlabTruth half_space_truth[] = {
-    {0.02, 0, 0, 0.39512943, 4.00e-04, 0, 0},
-    {0.02, 30, 0, 0.41820441, 4.01e-04, 0, 0},
-    {0.02, 60, 0, 0.49720196, 3.99e-04, 0, 0},
-    {0.02, -30, 0, 0.41075523, 3.98e-04, 0, 0},
-    {0.02, -60, 0, 0.49410043, 3.98e-04, 0, 0},
-    {0.3, 0, 0, 0.05197314, 1.47e-04, 0, 0},
-    {0.3, 30, 0, 0.05409200, 1.47e-04, 0, 0},
-    {0.3, 60, 0, 0.08580360, 1.78e-04, 0, 0},
-    {0.3, -30, 0, 0.05421248, 1.47e-04, 0, 0},
-    {0.3, -60, 0, 0.08786907, 1.77e-04, 0, 0},
+    {0.02, 0, 0, 0.39512943, 4.00e-04, 0, 0},   {0.02, 30, 0, 0.41820441, 4.01e-04, 0, 0},
+    {0.02, 60, 0, 0.49720196, 3.99e-04, 0, 0},  {0.02, -30, 0, 0.41075523, 3.98e-04, 0, 0},
+    {0.02, -60, 0, 0.49410043, 3.98e-04, 0, 0}, {0.3, 0, 0, 0.05197314, 1.47e-04, 0, 0},
+    {0.3, 30, 0, 0.05409200, 1.47e-04, 0, 0},   {0.3, 60, 0, 0.08580360, 1.78e-04, 0, 0},
+    {0.3, -30, 0, 0.05421248, 1.47e-04, 0, 0},  {0.3, -60, 0, 0.08786907, 1.77e-04, 0, 0},
 };
 
 } // namespace tsuya::reference

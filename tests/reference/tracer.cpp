@@ -13,16 +13,16 @@ constexpr double pi = 3.14159265358979323846;
 
 // Paths that carry less than this in their strongest channel are given up by chance.
 constexpr double faint = 0.2;
-// Without absorption only geometry ends a path. Past this many meetings one in fifty ends, so that a
-// path caught between surfaces does too.
+// Without absorption only geometry ends a path. Past this many meetings one in fifty ends, so that
+// a path caught between surfaces does too.
 constexpr int patience = 1000;
 
 // A direction with density cos/pi around n.
 glm::dvec3 cosine(const glm::dvec3 &n, Random &random)
 {
     const double r = std::sqrt(random.unit()), phi = 2.0 * pi * random.unit();
-    const glm::dvec3 other = std::abs(n.x) < 0.5 ? glm::dvec3(1.0, 0.0, 0.0)
-                                                 : glm::dvec3(0.0, 1.0, 0.0);
+    const glm::dvec3 other =
+        std::abs(n.x) < 0.5 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
     const glm::dvec3 u = glm::normalize(glm::cross(n, other)), w = glm::cross(n, u);
     return glm::normalize(r * (u * std::cos(phi) + w * std::sin(phi)) +
                           n * std::sqrt(std::max(0.0, 1.0 - r * r)));

@@ -44,9 +44,8 @@ Strands strands(const groom::Groom &groom, const draw::Frame &frame)
         }
         for (std::size_t i = begin; i < end; i++) {
             const double share = 1.0 - way[i - begin] / way.back();
-            const double taper = frame.taper > 0.0f
-                                     ? std::clamp(share / double(frame.taper), 0.0, 1.0)
-                                     : 1.0;
+            const double taper =
+                frame.taper > 0.0f ? std::clamp(share / double(frame.taper), 0.0, 1.0) : 1.0;
             const float radius = groom.radius.empty() ? groom.constant_radius : groom.radius[i];
             result.radius.push_back(radius * scale * float(taper));
             const std::size_t before = std::max(i, begin + 1) - 1, after = std::min(i + 1, end - 1);
@@ -83,11 +82,11 @@ Expected<World> world(const scene::Scene &scene, const scene::Hair &hair,
     }
     World world;
     world.fiber = std::make_shared<Fiber>(*params);
-    world.geometry = std::make_shared<Geometry>(strands(hair.groom, frame),
-                                                surface(hair.head, frame), threads);
+    world.geometry =
+        std::make_shared<Geometry>(strands(hair.groom, frame), surface(hair.head, frame), threads);
     for (const draw::Light &light : frame.lights) {
-        world.lights.push_back({glm::normalize(glm::dvec3(light.direction)),
-                                glm::dvec3(light.irradiance)});
+        world.lights.push_back(
+            {glm::normalize(glm::dvec3(light.direction)), glm::dvec3(light.irradiance)});
     }
     world.sky = scene.dome_color * scene.dome;
     world.background = scene.background;
