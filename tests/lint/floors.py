@@ -34,6 +34,7 @@ TESTS = {
     'shade': [],
     'api': [],
     'gl': ['base/', 'gl/', 'models/model.h'],
+    'reference': ['optics/'],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s+([<"])([^>"]+)[>"]', re.M)
 
