@@ -81,7 +81,7 @@ void warn_of_units(const Csv &csv, const Function &function)
     }
 }
 
-bool read_rows(const Csv &csv, Question &question, std::string &error)
+bool read_rows(const Csv &csv, Question &question, bool on_reference, std::string &error)
 {
     const std::vector<Value> &inputs = question.function.inputs;
     std::vector<int> columns;
@@ -102,7 +102,13 @@ bool read_rows(const Csv &csv, Question &question, std::string &error)
             const std::string_view cell = cells[std::size_t(columns[i])];
             double number;
             std::string why;
-            if (!parse_number(cell, number)) {
+            if (!inputs[i].words.empty()) {
+                if (word_to_api(inputs[i], std::string(cell), value, why) &&
+                    (on_reference || value < double(inputs[i].words_on_tables))) {
+                    continue;
+                }
+                why = why.empty() ? std::string(cell) + " is known to the reference alone" : why;
+            } else if (!parse_number(cell, number)) {
                 why = cell.empty() ? "the cell is empty"
                                    : "\"" + std::string(cell) + "\" is not a number";
             } else if (to_api(inputs[i], number, value, why)) {
@@ -146,7 +152,7 @@ int eval(const Arguments &arguments, Question &question)
         }
     }
     warn_of_units(csv, question.function);
-    if (!read_rows(csv, question, error)) {
+    if (!read_rows(csv, question, on == "reference", error)) {
         return complain("eval", error, exit_bad_input);
     }
     std::vector<double> out;

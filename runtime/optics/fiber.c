@@ -103,6 +103,40 @@ void tsu_i_fiber_attenuation(double eta, double theta, double sigma_a, double a[
     }
 }
 
+int tsu_i_fiber_orders(double beta_az)
+{
+    const int orders = 2 + (int)(4.8 / beta_az);
+    return orders > TSU_I_FIBER_ORDERS ? TSU_I_FIBER_ORDERS : orders;
+}
+
+void tsu_i_fiber_cosines(double eta, double theta, double sigma_a, double beta_az, int orders,
+                         double c[][TSU_I_LOBES])
+{
+    const int panels = panels_for(beta_az);
+    for (int k = 0; k < orders; k++)
+        for (int p = 0; p < TSU_I_LOBES; p++)
+            c[k][p] = 0.0;
+    for (int i = 0; i < panels * TSU_I_QUADRATURE_PANEL; i++) {
+        const struct tsu_i_ray ray = tsu_i_fiber_ray(eta, cos(theta), panels, i);
+        double a[5];
+        attenuations(&ray, sigma_a, a);
+        for (int p = 0; p < TSU_I_LOBES; p++) {
+            const double twice = 2.0 * cos(tsu_i_fiber_azimuth(&ray, p));
+            double before = 0.5 * twice, now = 1.0; // cos((k - 1) Phi), cos(k Phi)
+            for (int k = 0; k < orders; k++) {
+                c[k][p] += ray.weight * a[p] * now;
+                const double next = twice * now - before;
+                before = now;
+                now = next;
+            }
+        }
+        c[0][TSU_I_RES] += ray.weight * a[4];
+    }
+    for (int k = 1; k < orders; k++)
+        for (int p = 0; p < TSU_I_LOBES; p++)
+            c[k][p] *= exp(-0.5 * k * k * beta_az * beta_az);
+}
+
 double tsu_i_fiber_albedo(double eta, double sigma_a)
 {
     const int panels = 2;

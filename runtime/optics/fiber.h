@@ -46,6 +46,15 @@ void tsu_i_fiber_azimuthal(double eta, double theta, double sigma_a, double beta
 // Error: below 1e-12 for |theta| <= 89 degrees.
 void tsu_i_fiber_attenuation(double eta, double theta, double sigma_a, double a[TSU_I_LOBES]);
 
+// Fourier coefficients of N_p over phi, c_k = Int N_p cos(k phi) dphi, k = 0 .. orders - 1; c_0 is
+// Abar_p. `orders` rows of TSU_I_LOBES values. They fall as exp(-k^2 beta_az^2 / 2), which
+// tsu_i_fiber_orders() turns into a number of orders that leaves 1e-5 of c_0.
+// eta (1, 3], theta (-pi/2, pi/2), sigma_a >= 0. Error: below 1e-9 of c_0.
+enum { TSU_I_FIBER_ORDERS = 64 };
+int tsu_i_fiber_orders(double beta_az);
+void tsu_i_fiber_cosines(double eta, double theta, double sigma_a, double beta_az, int orders,
+                         double c[][TSU_I_LOBES]);
+
 // Share of the light that a fibre scatters when it is lit from everywhere alike:
 // Int Sum_p Abar_p(theta) cos^2 theta dtheta / (pi/2). 1 at sigma_a = 0, falls with sigma_a.
 double tsu_i_fiber_albedo(double eta, double sigma_a);

@@ -200,6 +200,18 @@ AT(tsu_marschner_params, beta_az, 20);
 AT(tsu_marschner_params, sigma_a, 24);
 AT(tsu_marschner_params, scale_shifts, 36);
 
+SIZE(tsu_dual_scattering_params, 48);
+AT(tsu_dual_scattering_params, struct_size, 0);
+AT(tsu_dual_scattering_params, flags, 4);
+AT(tsu_dual_scattering_params, eta, 8);
+AT(tsu_dual_scattering_params, alpha_R, 12);
+AT(tsu_dual_scattering_params, beta_R, 16);
+AT(tsu_dual_scattering_params, beta_az, 20);
+AT(tsu_dual_scattering_params, sigma_a, 24);
+AT(tsu_dual_scattering_params, scale_shifts, 36);
+AT(tsu_dual_scattering_params, d_f, 40);
+AT(tsu_dual_scattering_params, d_b, 44);
+
 SIZE(tsu_set_desc, 16);
 AT(tsu_set_desc, struct_size, 0);
 AT(tsu_set_desc, flags, 4);

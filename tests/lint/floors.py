@@ -20,6 +20,8 @@ FLOORS = {
     'gl': ['base/'] + MODEL,
     'api': ['base/', 'optics/', 'bake/', 'shade/', 'hair_shadow/', 'models/'],
 }
+# A model that extends others builds on their private headers and calls their GLSL.
+EXTENDS = {'dual_scattering': ['marschner'], 'plane_parallel_hair': ['marschner', 'dual_scattering']}
 LIBC = {'ctype.h', 'float.h', 'limits.h', 'math.h', 'stdarg.h', 'stddef.h', 'stdint.h', 'stdlib.h',
         'string.h'}
 # Memory, files and output are the host's; only base speaks to it.
@@ -77,14 +79,18 @@ def check_runtime(path):
     if key not in FLOORS:
         say(path, f'runtime/{own} is no floor of the table')
         return
+    extended = EXTENDS.get(parts[1], []) if key == 'models/*' else []
     for quoted, name in includes(path):
+        if quoted and allowed(name, [f'models/{other}/' for other in extended]):
+            continue
         if quoted and key == 'models' and name.startswith('models/') and name.count('/') == 1:
             continue
         if quoted and not (name.startswith(own) or allowed(name, FLOORS[key])):
             say(path, f'{key} includes {name}')
         if not quoted and not (name in LIBC or name.startswith('tsuya/')):
             say(path, f'the library includes <{name}>')
-        if key == 'models/*' and name.startswith('tsuya/models/') and parts[1] not in name:
+        if key == 'models/*' and name.startswith('tsuya/models/') \
+                and pathlib.PurePath(name).stem not in [parts[1]] + extended:
             say(path, f'one model includes another: {name}')
     code = re.sub(r'//[^\n]*', '', path.read_text('utf-8'))
     if own != 'base/':
@@ -127,7 +133,7 @@ def check_glsl():
         code = re.sub(r'//[^\n]*', '', path.read_text('utf-8'))
         if re.search(r'#\s*(include|version|extension)|\bmain\s*\(|\bgl_|\bdiscard\b|\buniform\b', code):
             say(path, 'a snippet owns no stage and declares no resource')
-        others = [f for f in folders if f != inside[1] and re.search(rf'\btsu_{f}_', code)]
+        others = [f for f in folders if f not in [inside[1]] + EXTENDS.get(inside[1], []) and re.search(rf'\btsu_{f}_', code)]
         if others:
             say(path, f'one model uses another: {others}')
     for folder in folders:

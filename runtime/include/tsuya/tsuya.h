@@ -11,6 +11,7 @@
 #include <tsuya/hair_color.h>
 #include <tsuya/hair_shadow.h>
 #include <tsuya/models/deep_opacity.h>
+#include <tsuya/models/dual_scattering.h>
 #include <tsuya/models/kajiya_kay.h>
 #include <tsuya/models/marschner.h>
 #include <tsuya/models/opacity_shadow.h>

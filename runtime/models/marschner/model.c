@@ -80,7 +80,7 @@ void tsu_i_marschner_lobes(double alpha_R, double beta_R, double scale_shifts, d
     }
 }
 
-static void prepare(const void *from, void *to)
+void tsu_i_marschner_prepare(const void *from, void *to)
 {
     const params *p = from;
     struct marschner_state *state = to;
@@ -90,7 +90,7 @@ static void prepare(const void *from, void *to)
     memcpy(state->sigma_a, p->sigma_a, sizeof state->sigma_a);
 }
 
-static void record(const void *from, const struct tsu_i_place *places, float *out)
+void tsu_i_marschner_record(const void *from, const struct tsu_i_place *places, float *out)
 {
     const struct marschner_state *state = from;
     for (int p = 0; p < 3; p++) {
@@ -138,8 +138,8 @@ const struct tsu_model tsu_i_model_marschner = {
     .inputs = inputs,
     .functions = tsu_i_marschner_functions,
     .snippets = snippets,
-    .prepare = prepare,
-    .record = record,
+    .prepare = tsu_i_marschner_prepare,
+    .record = tsu_i_marschner_record,
 };
 
 const tsu_model *tsu_marschner(void)

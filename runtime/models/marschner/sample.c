@@ -11,10 +11,11 @@ static float clamp01(float x)
 }
 
 // Bilinear, at texel coordinates that lie within the table.
-static void fetch(const struct tsu_i_texels *table, float x, float y, float out[4])
+void tsu_i_marschner_fetch(const struct tsu_i_texels *table, int width, int height, float x,
+                           float y, float out[4])
 {
     const int i = x < 0.0f ? 0 : (int)x, j = (int)y;
-    const int i1 = i < MARSCHNER_WIDTH - 1 ? i + 1 : i, j1 = j < MARSCHNER_HEIGHT - 1 ? j + 1 : j;
+    const int i1 = i < width - 1 ? i + 1 : i, j1 = j < height - 1 ? j + 1 : j;
     const float fx = x - (float)i, fy = y - (float)j;
     const uint16_t *low = table->texels + 4 * (size_t)table->pitch * (size_t)j;
     const uint16_t *high = table->texels + 4 * (size_t)table->pitch * (size_t)j1;
@@ -24,6 +25,11 @@ static void fetch(const struct tsu_i_texels *table, float x, float y, float out[
         const float lower = a + (b - a) * fx, upper = c + (d - c) * fx;
         out[k] = lower + (upper - lower) * fy;
     }
+}
+
+static void fetch(const struct tsu_i_texels *table, float x, float y, float out[4])
+{
+    tsu_i_marschner_fetch(table, MARSCHNER_WIDTH, MARSCHNER_HEIGHT, x, y, out);
 }
 
 static void azimuthal(const struct tsu_i_texels *table, float cos_r, float cos2_half, float n[4],
@@ -51,8 +57,8 @@ void tsu_i_marschner_sample(const struct tsu_i_texels *table, float cos_r, float
     n[3] *= exp2f(-path[3] * sigma_a);
 }
 
-static void longitudinal(const float products[4], const float lobe[3], float *exponent,
-                         float *factor)
+void tsu_i_marschner_lobe(const float products[4], const float lobe[3], float *exponent,
+                          float *factor)
 {
     const float x = fabsf(lobe[0] * products[0] + lobe[1] * products[1]);
     *exponent = (lobe[2] - lobe[0] * products[2] + lobe[1] * products[3]) + x;
@@ -60,35 +66,47 @@ static void longitudinal(const float products[4], const float lobe[3], float *ex
     *factor = 1.0f / sqrtf(1.414916f * x + (m * m * m - 0.674258f));
 }
 
-static void multiply(float sin_i, float sin_r, float *cos_r, float products[4])
+struct marschner_view tsu_i_marschner_view(float sin_i, float sin_r, float cos2_half)
 {
     const float cos_i = sqrtf(fabsf(1.0f - sin_i * sin_i));
-    *cos_r = sqrtf(fabsf(1.0f - sin_r * sin_r));
-    products[0] = cos_i * *cos_r + 1e-12f;
-    products[1] = cos_i * sin_r;
-    products[2] = sin_i * sin_r;
-    products[3] = sin_i * *cos_r;
+    const float cos_r = sqrtf(fabsf(1.0f - sin_r * sin_r));
+    return (struct marschner_view){
+        cos_r,
+        cos2_half,
+        {cos_i * cos_r + 1e-12f, cos_i * sin_r, sin_i * sin_r, sin_i * cos_r}};
+}
+
+void tsu_i_marschner_fiber(const float *record, const struct tsu_i_texels *table,
+                           const struct marschner_view *view, float sigma_a, int fine, float out[4])
+{
+    float n[4], path[4], exponent, factor;
+    azimuthal(table, view->cos_r, view->cos2_half, n, path);
+    tsu_i_marschner_lobe(view->products, record, &exponent, &factor);
+    out[0] = n[0] * factor * exp2f(exponent);
+    tsu_i_marschner_lobe(view->products, record + 4, &exponent, &factor);
+    out[1] = n[1] * factor * exp2f(absorb_tt(path, sigma_a, exponent));
+    tsu_i_marschner_lobe(view->products, record + 8, &exponent, &factor);
+    out[2] = n[2] * factor * exp2f(exponent - path[2] * sigma_a);
+    if (fine) {
+        const float own[3] = {record[20], record[21], record[10]};
+        tsu_i_marschner_lobe(view->products, own, &exponent, &factor);
+    }
+    out[3] = n[3] * factor * exp2f(exponent - path[3] * sigma_a);
 }
 
 static void hair(const float *record, const struct tsu_i_texels *tables, const double *in, int fine,
                  double *out)
 {
-    float cos_r, products[4], n[4], path[4], exponent, factor;
-    multiply((float)sin(in[0]), (float)sin(in[1]), &cos_r, products);
-    const float half = (float)cos(0.5 * in[2]), sigma_a = (float)in[4];
-    azimuthal(tables, cos_r, clamp01(half * half), n, path);
-    longitudinal(products, record, &exponent, &factor);
-    out[0] = n[0] * factor * exp2f(exponent);
-    longitudinal(products, record + 4, &exponent, &factor);
-    out[1] = n[1] * factor * exp2f(absorb_tt(path, sigma_a, exponent));
-    longitudinal(products, record + 8, &exponent, &factor);
-    out[2] = n[2] * factor * exp2f(exponent - path[2] * sigma_a);
-    if (fine) {
-        const float own[3] = {record[20], record[21], record[10]};
-        longitudinal(products, own, &exponent, &factor);
+    float lobes[4];
+    const float half = (float)cos(0.5 * in[2]);
+    const struct marschner_view view =
+        tsu_i_marschner_view((float)sin(in[0]), (float)sin(in[1]), clamp01(half * half));
+    tsu_i_marschner_fiber(record, tables, &view, (float)in[4], fine, lobes);
+    out[4] = 0.0;
+    for (int p = 0; p < 4; p++) {
+        out[p] = lobes[p];
+        out[4] += out[p];
     }
-    out[3] = n[3] * factor * exp2f(exponent - path[3] * sigma_a);
-    out[4] = out[0] + out[1] + out[2] + out[3];
 }
 
 void tsu_i_marschner_hair(const void *state, const float *record,
@@ -123,8 +141,9 @@ void tsu_i_marschner_longitudinal(const void *state, const float *record,
 {
     (void)state;
     (void)tables;
-    float cos_r, products[4], exponent, factor;
-    multiply((float)sin(in[0]), (float)sin(in[1]), &cos_r, products);
-    longitudinal(products, record, &exponent, &factor);
+    float exponent, factor;
+    const struct marschner_view view =
+        tsu_i_marschner_view((float)sin(in[0]), (float)sin(in[1]), 1.0f);
+    tsu_i_marschner_lobe(view.products, record, &exponent, &factor);
     out[0] = factor * exp2f(exponent);
 }

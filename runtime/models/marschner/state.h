@@ -26,6 +26,10 @@ struct marschner_state {
 void tsu_i_marschner_lobes(double alpha_R, double beta_R, double scale_shifts, double alpha[4],
                            double beta[4]);
 
+// model.c: of the model's record.
+void tsu_i_marschner_prepare(const void *params, void *state);
+void tsu_i_marschner_record(const void *state, const struct tsu_i_place *places, float *record);
+
 // table.c
 void tsu_i_marschner_bake(const void *state, uint32_t row, float *texels);
 void tsu_i_marschner_finish(float *texels);
@@ -33,6 +37,20 @@ double tsu_i_marschner_worst(const void *state, const struct tsu_i_texels *table
 double tsu_i_marschner_worst_residual(const void *state, const struct tsu_i_texels *tables);
 
 // sample.c: the shader's formulas in C.
+// One lobe as exponent and factor; products as in the shader. Bilinear fetch at texel coordinates
+// that lie within a table of `width` x `height`.
+struct marschner_view {
+    float cos_r, cos2_half, products[4];
+};
+struct marschner_view tsu_i_marschner_view(float sin_i, float sin_r, float cos2_half);
+void tsu_i_marschner_lobe(const float products[4], const float lobe[3], float *exponent,
+                          float *factor);
+void tsu_i_marschner_fetch(const struct tsu_i_texels *table, int width, int height, float x,
+                           float y, float out[4]);
+// The four lobes of a fibre.
+void tsu_i_marschner_fiber(const float *record, const struct tsu_i_texels *table,
+                           const struct marschner_view *view, float sigma_a, int fine,
+                           float out[4]);
 // N of the four lobes at phi after absorption.
 void tsu_i_marschner_sample(const struct tsu_i_texels *table, float cos_r, float cos2_half,
                             float sigma_a, float n[4]);

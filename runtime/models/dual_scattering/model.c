@@ -1,0 +1,174 @@
+#include "models/dual_scattering/state.h"
+
+#include "models/values.h"
+
+#include <tsuya/models/dual_scattering.h>
+#include <tsuya/models/marschner.h>
+
+#include <string.h>
+
+typedef tsu_dual_scattering_params params;
+
+static const params defaults = {
+    .struct_size = sizeof(params),
+    .eta = 1.55f,
+    .alpha_R = (float)TSU_I_DEGREES(-7.5),
+    .beta_R = (float)TSU_I_DEGREES(7.5),
+    .beta_az = (float)TSU_I_DEGREES(10),
+    .sigma_a = {0.5447f, 0.9061f, 1.781f},
+    .d_f = 1.0f,
+    .d_b = 1.0f,
+};
+
+static const tsu_parameter_info parameters[] = {
+    TSU_I_PARAMETER(params, eta, 1, "1", 1, 1.2, 2.0, 1.55, "refractive index of the fibre"),
+    TSU_I_PARAMETER(params, alpha_R, 1, "rad", 1, TSU_I_DEGREES(-20), TSU_I_DEGREES(20),
+                    TSU_I_DEGREES(-7.5),
+                    "shift of the R lobe in theta_i + theta_r; negative is towards the root"),
+    TSU_I_PARAMETER(params, beta_R, 1, "rad", 1, TSU_I_DEGREES(2), TSU_I_DEGREES(30),
+                    TSU_I_DEGREES(7.5), "longitudinal deviation of R in theta_i + theta_r"),
+    TSU_I_PARAMETER(params, beta_az, 1, "rad", 1, TSU_I_DEGREES(5), TSU_I_DEGREES(30),
+                    TSU_I_DEGREES(10), "azimuthal deviation"),
+    TSU_I_PARAMETER(params, sigma_a, 3, "1/radius", 0, 0, 1e6, 0.9061,
+                    "absorption per fibre radius, linear RGB"),
+    TSU_I_PARAMETER(params, scale_shifts, 1, "1", 1, 0, 1, 0,
+                    "lobe shifts from the textbook's (0) to those of real tilted scales (1)"),
+    TSU_I_PARAMETER(params, d_f, 1, "1", 0, 0, 1, 1,
+                    "factor on multiply scattered light that goes on"),
+    TSU_I_PARAMETER(params, d_b, 1, "1", 0, 0, 1, 1,
+                    "factor on multiply scattered light that comes back"),
+};
+
+static const tsu_input_info inputs[] = {
+    TSU_I_INPUT("material", "int", 0, "index of the material in the bound page"),
+    TSU_I_INPUT("t", "vec3", 0, "unit tangent, root to tip"),
+    TSU_I_INPUT("l", "vec3", 0, "unit vector to the light"),
+    TSU_I_INPUT("v", "vec3", 0, "unit vector to the viewer"),
+    TSU_I_INPUT("sigma_a", "vec3", 0, "absorption per fibre radius, linear RGB"),
+    TSU_I_INPUT("front", "float", TSU_INPUT_EXTRA,
+                "mean number of fibres between here and the light"),
+    TSU_I_INPUT("direct", "float", TSU_INPUT_EXTRA, "share of the direct light that arrives"),
+};
+
+static const tsu_error_info errors[] = {
+#include "models/dual_scattering/errors.inc"
+};
+
+static const struct tsu_i_table tables[] = {
+    {.info = {.struct_size = sizeof(tsu_table_info),
+              .name = "azimuthal",
+              .axes = "marschner's",
+              .channels = "marschner's",
+              .width = MARSCHNER_WIDTH,
+              .height = MARSCHNER_HEIGHT,
+              .bytes = MARSCHNER_WIDTH * MARSCHNER_HEIGHT * 8},
+     .key_offset = offsetof(struct dual_state, fiber.eta),
+     .key_size = 2 * sizeof(float),
+     .units = MARSCHNER_HEIGHT,
+     .bake = tsu_i_marschner_bake,
+     .finish = tsu_i_marschner_finish},
+    {.info = {.struct_size = sizeof(tsu_table_info),
+              .name = "fields",
+              .axes = "x log2(1 + 250 sigma_a) / 13 in [0, 1]; y four bands of cos(theta_r) in "
+                      "[0, 1], 32 rows each",
+              .channels = "k (log2(e) 2/pi), r, shares back and on; Zinke's log2 a_f, A_1 + A_3, "
+                          "cosine coefficients of N",
+              .width = FIELDS_WIDTH,
+              .height = FIELDS_HEIGHT,
+              .bytes = FIELDS_WIDTH * FIELDS_HEIGHT * 8},
+     .key_offset = offsetof(struct dual_state, fiber.eta),
+     .key_size = 2 * sizeof(float),
+     .units = FIELDS_ROWS,
+     .bake = tsu_i_dual_bake_fields,
+     .finish = tsu_i_dual_finish_fields},
+    {.info = {.struct_size = sizeof(tsu_table_info),
+              .name = "spread",
+              .axes = "two bands of 16 rows: x exp2(-front / 4) in [0, 1], y absorption as in "
+                      "fields; one of 32: x absorption, y cos(theta_r) in [0, 1]",
+              .channels = "a, b, c of the lobes back and on; Zinke's Delta_b, sigma_b^2, beta_f^2, "
+                          "a_b",
+              .width = SPREAD_WIDTH,
+              .height = SPREAD_HEIGHT,
+              .bytes = SPREAD_WIDTH * SPREAD_HEIGHT * 8},
+     .key_offset = offsetof(struct dual_state, fiber.eta),
+     .key_size = offsetof(struct marschner_state, sigma_a) - offsetof(struct marschner_state, eta),
+     .units = SPREAD_HEIGHT,
+     .bake = tsu_i_dual_bake_spread,
+     .finish = tsu_i_dual_finish_spread}};
+
+static const char *const snippets[] = {"marschner/longitudinal.glsl",
+                                       "marschner/azimuthal.glsl",
+                                       "marschner/eval.glsl",
+                                       "dual_scattering/fields.glsl",
+                                       "dual_scattering/eval.glsl",
+                                       "dual_scattering/zinke.glsl",
+                                       NULL};
+
+static void prepare(const void *from, void *to)
+{
+    const params *p = from;
+    struct dual_state *state = to;
+    const tsu_marschner_params fiber = {.eta = p->eta,
+                                        .alpha_R = p->alpha_R,
+                                        .beta_R = p->beta_R,
+                                        .beta_az = p->beta_az,
+                                        .sigma_a = {p->sigma_a[0], p->sigma_a[1], p->sigma_a[2]},
+                                        .scale_shifts = p->scale_shifts};
+    tsu_i_marschner_prepare(&fiber, &state->fiber);
+    state->d_f = p->d_f;
+    state->d_b = p->d_b;
+    state->gamma = (float)tsu_i_two_stream_gamma(p->eta, p->beta_az);
+}
+
+static void record(const void *from, const struct tsu_i_place *places, float *out)
+{
+    const struct dual_state *state = from;
+    const struct tsu_i_place *fields = places + 1, *spread = places + 2;
+    const float width = (float)fields->width, height = (float)fields->height;
+    tsu_i_marschner_record(&state->fiber, places, out);
+    out[15] = state->gamma;
+    // Over the integral of cos^4(phi/2).
+    out[19] = state->d_b * 0.42441318f;
+    out[22] = state->d_f * 0.42441318f;
+    out[23] = (float)SPREAD_ROWS / height;
+    out[24] = ((float)fields->x + 0.5f) / width;
+    out[25] = ((float)fields->y + 0.5f) / height;
+    out[26] = (float)(FIELDS_WIDTH - 1) / width;
+    out[27] = DUAL_SPAN(FIELDS_ROWS) / height;
+    float u = 0.0f;
+    for (int k = 0; k < 3; k++)
+        u += tsu_i_dual_sigma_place(state->fiber.sigma_a[k]) / 3.0f;
+    out[28] = ((float)spread->x + 0.5f) / width;
+    out[29] = ((float)spread->y + 0.5f + u * DUAL_SPAN(SPREAD_ROWS)) / height;
+    out[30] = (float)(SPREAD_WIDTH - 1) / width;
+    out[31] = ((float)spread->y + 2.0f * SPREAD_ROWS + 0.5f) / height;
+}
+
+const struct tsu_model tsu_i_model_dual_scattering = {
+    .info = {.struct_size = sizeof(tsu_model_info),
+             .name = "dual_scattering",
+             .title = "Dual scattering in a head of hair",
+             .source = "Zinke et al. 2008, Dual Scattering Approximation for Fast Multiple "
+                       "Scattering in Hair; Chandrasekhar 1960, Radiative Transfer",
+             .params_size = sizeof(params),
+             .parameter_count = sizeof parameters / sizeof *parameters,
+             .table_count = sizeof tables / sizeof *tables,
+             .error_count = sizeof errors / sizeof *errors,
+             .input_count = sizeof inputs / sizeof *inputs,
+             .function_count = DUAL_FUNCTIONS},
+    .defaults = &defaults,
+    .params_least = sizeof(params),
+    .parameters = parameters,
+    .tables = tables,
+    .errors = errors,
+    .inputs = inputs,
+    .functions = tsu_i_dual_functions,
+    .snippets = snippets,
+    .prepare = prepare,
+    .record = record,
+};
+
+const tsu_model *tsu_dual_scattering(void)
+{
+    return &tsu_i_model_dual_scattering;
+}

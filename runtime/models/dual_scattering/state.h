@@ -1,0 +1,73 @@
+// What the files of this model share. It extends marschner: its state begins with that model's and
+// its record's first six vec4 are that model's.
+#ifndef TSU_MODELS_DUAL_SCATTERING_STATE_H
+#define TSU_MODELS_DUAL_SCATTERING_STATE_H
+
+#include "models/marschner/state.h"
+#include "optics/strand_event.h"
+#include "optics/two_stream.h"
+
+// Table "fields": four bands of 32 rows over cos(theta_r), all over absorption.
+// Table "spread": two bands of 16 rows over absorption, over fibres in front; then 32 rows over
+// cos(theta_r), over absorption.
+enum {
+    FIELDS_WIDTH = 64,
+    FIELDS_ROWS = 32,
+    FIELDS_HEIGHT = 4 * FIELDS_ROWS,
+    SPREAD_WIDTH = 32,
+    SPREAD_ROWS = 16,
+    SPREAD_HEIGHT = 64
+};
+
+// Texels from a band's first row to its last, a little less than there are.
+#define DUAL_SPAN(rows) ((float)(rows)-1.0001f)
+
+// Absorption on a texture axis: u = log2(sigma_a / SIGMA_LEAST + 1) / SIGMA_OCTAVES, held to [0,
+// 1]: what absorbs more reflects at its surface only. Fibres in front: u = exp(-FRONT_RATE n).
+#define SIGMA_LEAST 0.004f
+#define SIGMA_OCTAVES 13.0f
+#define FRONT_RATE 0.17328680f // log(2) / 4
+
+struct dual_state {
+    struct marschner_state fiber; // its bytes before sigma_a are the key of both tables
+    float d_f, d_b;
+    float gamma; // of two_stream.h
+};
+
+double tsu_i_dual_sigma_node(int i, int count); // absorption of column i
+double tsu_i_dual_front_node(int i, int count);
+float tsu_i_dual_sigma_place(float sigma_a); // u, [0, 1]
+
+// table.c
+void tsu_i_dual_bake_fields(const void *state, uint32_t row, float *texels);
+void tsu_i_dual_bake_spread(const void *state, uint32_t row, float *texels);
+void tsu_i_dual_finish_fields(float *texels);
+void tsu_i_dual_finish_spread(float *texels);
+
+// spread.c: mean and variance of theta_i + theta_r.
+struct tsu_i_dual_moments {
+    double mean, variance; // radians, radians squared
+};
+// Of the multiply scattered light behind `front` fibres, viewer's side [0] and beyond [1].
+void tsu_i_dual_moments(const struct tsu_i_strand *strand, const struct tsu_i_event *event,
+                        double front, struct tsu_i_dual_moments moments[2]);
+// Of Zinke's f_back (Delta_b, sigma_b^2), and the variance that one forward event adds.
+struct tsu_i_dual_zinke {
+    double forward, back;         // a_f, a_b averaged
+    double albedo;                // A_1 + A_3
+    double shift, variance, step; // Delta_b, sigma_b^2, beta_f^2
+};
+void tsu_i_dual_zinke(const struct tsu_i_strand *strand, const struct tsu_i_event *event,
+                      struct tsu_i_dual_zinke *out);
+
+// sample.c: the shader's formulas in C.
+void tsu_i_dual_sampled_exact(const void *state, const float *record,
+                              const struct tsu_i_texels *tables, const double *in, double *out);
+void tsu_i_dual_sampled_zinke(const void *state, const float *record,
+                              const struct tsu_i_texels *tables, const double *in, double *out);
+
+// functions.c
+enum { DUAL_FUNCTIONS = 3 };
+extern const struct tsu_i_function tsu_i_dual_functions[DUAL_FUNCTIONS];
+
+#endif
