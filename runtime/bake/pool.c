@@ -46,8 +46,8 @@ static tsu_status free_entry(struct tsu_i_pool *pool, uint32_t *table)
             return TSU_OK;
     if (*table == pool->capacity) {
         const uint32_t capacity = pool->capacity ? 2 * pool->capacity : 8;
-        struct tsu_i_pool_table *tables = tsu_i_realloc(pool->context, pool->tables, pool->capacity,
-                                                        capacity, sizeof *tables);
+        struct tsu_i_pool_table *tables =
+            tsu_i_realloc(pool->context, pool->tables, pool->capacity, capacity, sizeof *tables);
         if (!tables)
             return TSU_E_MEMORY;
         pool->tables = tables;
@@ -69,8 +69,8 @@ tsu_status tsu_i_pool_take(struct tsu_i_pool *pool, const struct tsu_i_table *de
     uint32_t entry, x, y;
     tsu_status status = free_entry(pool, &entry);
     if (status == TSU_OK)
-        status = tsu_i_atlas_take(&pool->atlas, definition->info.width, definition->info.height, &x,
-                                  &y);
+        status =
+            tsu_i_atlas_take(&pool->atlas, definition->info.width, definition->info.height, &x, &y);
     if (status != TSU_OK)
         return status;
     status = grow_image(pool);
@@ -106,6 +106,7 @@ struct bake {
     struct tsu_i_pool *pool;
     const uint32_t *stale; // tables to bake
     float **rows;          // whole tables, one each
+    char **scratch;        // of all units of each table
     const uint32_t *first; // first job of each table, and the number of all jobs
     uint32_t count;
 };
@@ -126,7 +127,8 @@ static void bake_unit(void *data, uint32_t job)
     const struct tsu_i_table *d = t->definition;
     const uint32_t rows = d->info.height / d->units, pitch = d->info.width * 4;
     float local[4 * 4 * TSU_CELL];
-    d->bake(t->state, unit, local);
+    d->bake(t->state, unit, d->scratch_bytes ? bake->scratch[i] + unit * d->scratch_bytes : NULL,
+            local);
     for (uint32_t r = 0; r < rows; r++)
         memcpy(bake->rows[i] + (size_t)(unit + r * d->units) * pitch, local + r * pitch,
                pitch * sizeof *local);
@@ -138,7 +140,7 @@ static void finish(const struct bake *bake, uint32_t i)
     struct tsu_i_pool_table *t = pool->tables + bake->stale[i];
     const struct tsu_i_table *d = t->definition;
     if (d->finish)
-        d->finish(bake->rows[i]);
+        d->finish(t->state, bake->rows[i]);
     const uint32_t pitch = d->info.width * 4;
     for (uint32_t y = 0; y < d->info.height; y++) {
         uint16_t *out = pool->texels + ((size_t)(t->y + y) * pool->width + t->x) * 4;
@@ -156,6 +158,12 @@ static size_t floats(const struct tsu_i_pool *pool, uint32_t table)
     return (size_t)d->info.width * d->info.height * 4;
 }
 
+static size_t scratch_of(const struct tsu_i_pool *pool, uint32_t table)
+{
+    const struct tsu_i_table *d = pool->tables[table].definition;
+    return d->scratch_bytes * d->units;
+}
+
 // At most BATCH tables at a time keep the working memory below a few MiB.
 enum { BATCH = 16 };
 
@@ -165,12 +173,20 @@ tsu_status tsu_i_pool_bake(struct tsu_i_pool *pool)
     for (uint32_t next = 0; next < pool->count && status == TSU_OK;) {
         uint32_t stale[BATCH], first[BATCH + 1] = {0};
         float *rows[BATCH];
-        struct bake bake = {pool, stale, rows, first, 0};
+        char *scratch[BATCH] = {NULL};
+        struct bake bake = {pool, stale, rows, scratch, first, 0};
         for (; next < pool->count && bake.count < BATCH; next++) {
             const struct tsu_i_pool_table *t = pool->tables + next;
             if (!t->users || t->baked)
                 continue;
             rows[bake.count] = tsu_i_alloc(pool->context, floats(pool, next), sizeof(float));
+            if (rows[bake.count] && scratch_of(pool, next)) {
+                scratch[bake.count] = tsu_i_alloc(pool->context, scratch_of(pool, next), 1);
+                if (!scratch[bake.count]) {
+                    tsu_i_free(pool->context, rows[bake.count], floats(pool, next), sizeof(float));
+                    rows[bake.count] = NULL;
+                }
+            }
             if (!rows[bake.count]) {
                 status = TSU_E_MEMORY;
                 break;
@@ -184,8 +200,11 @@ tsu_status tsu_i_pool_bake(struct tsu_i_pool *pool)
             for (uint32_t i = 0; i < bake.count; i++)
                 finish(&bake, i);
         }
-        for (uint32_t i = 0; i < bake.count; i++)
+        for (uint32_t i = 0; i < bake.count; i++) {
             tsu_i_free(pool->context, rows[i], floats(pool, stale[i]), sizeof(float));
+            if (scratch[i])
+                tsu_i_free(pool->context, scratch[i], scratch_of(pool, stale[i]), 1);
+        }
     }
     return status;
 }

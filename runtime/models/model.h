@@ -28,11 +28,13 @@ struct tsu_i_table {
     // The parameters that shape the table, copied out of the state: equal bytes, equal table.
     size_t key_offset, key_size;
     // A unit of work: rows unit, unit + units, unit + 2 units, ... one after the other in `texels`,
-    // each of `info.width` texels of four floats.
+    // each of `info.width` texels of four floats. `scratch`: room of scratch_bytes of the unit's own,
+    // aligned for double.
     uint32_t units;
-    void (*bake)(const void *state, uint32_t unit, float *texels);
+    size_t scratch_bytes;
+    void (*bake)(const void *state, uint32_t unit, void *scratch, float *texels);
     // Last touch on the whole table, rows in order; may be NULL.
-    void (*finish)(float *texels);
+    void (*finish)(const void *state, float *texels);
 };
 
 // A table error that can be measured again: the worst of the shader's formula against the

@@ -39,10 +39,10 @@ double tsu_i_dual_front_node(int i, int count);
 float tsu_i_dual_sigma_place(float sigma_a); // u, [0, 1]
 
 // table.c
-void tsu_i_dual_bake_fields(const void *state, uint32_t row, float *texels);
-void tsu_i_dual_bake_spread(const void *state, uint32_t row, float *texels);
-void tsu_i_dual_finish_fields(float *texels);
-void tsu_i_dual_finish_spread(float *texels);
+void tsu_i_dual_bake_fields(const void *state, uint32_t row, void *scratch, float *texels);
+void tsu_i_dual_bake_spread(const void *state, uint32_t row, void *scratch, float *texels);
+void tsu_i_dual_finish_fields(const void *state, float *texels);
+void tsu_i_dual_finish_spread(const void *state, float *texels);
 
 // spread.c: mean and variance of theta_i + theta_r.
 struct tsu_i_dual_moments {

@@ -52,8 +52,9 @@ static struct tsu_i_strand strand_of(const struct marschner_state *fiber, double
     return strand;
 }
 
-void tsu_i_dual_bake_fields(const void *state, uint32_t unit, float *texels)
+void tsu_i_dual_bake_fields(const void *state, uint32_t unit, void *scratch, float *texels)
 {
+    (void)scratch;
     // A unit is one inclination: row `unit` of all four bands.
     const struct marschner_state *fiber = &((const struct dual_state *)state)->fiber;
     const double theta = inclination((int)unit, FIELDS_ROWS);
@@ -98,8 +99,9 @@ static void lobe(const struct tsu_i_dual_moments *moments, float *out)
     out[3] = 0.0f;
 }
 
-void tsu_i_dual_bake_spread(const void *state, uint32_t row, float *texels)
+void tsu_i_dual_bake_spread(const void *state, uint32_t row, void *scratch, float *texels)
 {
+    (void)scratch;
     const struct marschner_state *fiber = &((const struct dual_state *)state)->fiber;
     struct tsu_i_event event;
     if (row < 2 * SPREAD_ROWS) {
@@ -150,14 +152,16 @@ static void knots(float *texels, int width, int rows)
     }
 }
 
-void tsu_i_dual_finish_fields(float *texels)
+void tsu_i_dual_finish_fields(const void *state, float *texels)
 {
+    (void)state;
     for (int band = 0; band < 4; band++)
         knots(texels + band * FIELDS_ROWS * 4 * FIELDS_WIDTH, FIELDS_WIDTH, FIELDS_ROWS);
 }
 
-void tsu_i_dual_finish_spread(float *texels)
+void tsu_i_dual_finish_spread(const void *state, float *texels)
 {
+    (void)state;
     const int first = 2 * SPREAD_ROWS;
     knots(texels + first * 4 * SPREAD_WIDTH, SPREAD_WIDTH, SPREAD_HEIGHT - first);
 }

@@ -51,7 +51,8 @@ static const tsu_error_info errors[] = {
 static const struct tsu_i_table tables[] = {
     {.info = {.struct_size = sizeof(tsu_table_info),
               .name = "azimuthal",
-              .axes = "x sin(phi/2) - cos(phi/2) in [-1, 1]; y two bands of cos(theta_r) in [0, 1], 80 and 48 rows",
+              .axes = "x sin(phi/2) - cos(phi/2) in [-1, 1]; y two bands of cos(theta_r) in [0, "
+                      "1], 80 and 48 rows",
               .channels = "lower band N of R, TT, TRT, residual (1/rad); upper band L, V of TT, L "
                           "of TRT, L of the residual (log2(e) fibre radii)",
               .width = MARSCHNER_WIDTH,

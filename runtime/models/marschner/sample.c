@@ -38,8 +38,7 @@ static void azimuthal(const struct tsu_i_texels *table, float cos_r, float cos2_
     const float x = sqrtf(1.0f - cos2_half) - sqrtf(cos2_half);
     const float column = x * 63.5f + 63.5f;
     fetch(table, column, cos_r * MARSCHNER_SPAN(MARSCHNER_ROWS), n);
-    fetch(table, column,
-          cos_r * MARSCHNER_SPAN(MARSCHNER_PATH_ROWS) + (float)MARSCHNER_ROWS, path);
+    fetch(table, column, cos_r * MARSCHNER_SPAN(MARSCHNER_PATH_ROWS) + (float)MARSCHNER_ROWS, path);
 }
 
 static float absorb_tt(const float path[4], float sigma_a, float exponent)
@@ -71,9 +70,7 @@ struct marschner_view tsu_i_marschner_view(float sin_i, float sin_r, float cos2_
     const float cos_i = sqrtf(fabsf(1.0f - sin_i * sin_i));
     const float cos_r = sqrtf(fabsf(1.0f - sin_r * sin_r));
     return (struct marschner_view){
-        cos_r,
-        cos2_half,
-        {cos_i * cos_r + 1e-12f, cos_i * sin_r, sin_i * sin_r, sin_i * cos_r}};
+        cos_r, cos2_half, {cos_i * cos_r + 1e-12f, cos_i * sin_r, sin_i * sin_r, sin_i * cos_r}};
 }
 
 void tsu_i_marschner_fiber(const float *record, const struct tsu_i_texels *table,
@@ -109,8 +106,8 @@ static void hair(const float *record, const struct tsu_i_texels *tables, const d
     }
 }
 
-void tsu_i_marschner_hair(const void *state, const float *record,
-                          const struct tsu_i_texels *tables, const double *in, double *out)
+void tsu_i_marschner_hair(const void *state, const float *record, const struct tsu_i_texels *tables,
+                          const double *in, double *out)
 {
     (void)state;
     hair(record, tables, in, 0, out);
@@ -136,8 +133,7 @@ void tsu_i_marschner_azimuthal(const void *state, const float *record,
 }
 
 void tsu_i_marschner_longitudinal(const void *state, const float *record,
-                                  const struct tsu_i_texels *tables, const double *in,
-                                  double *out)
+                                  const struct tsu_i_texels *tables, const double *in, double *out)
 {
     (void)state;
     (void)tables;

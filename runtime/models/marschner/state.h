@@ -12,9 +12,9 @@ enum {
     MARSCHNER_PATH_ROWS = MARSCHNER_HEIGHT - MARSCHNER_ROWS
 };
 
-// Texels from a band's first row to its last. A little less than there are: a cosine that rounds past
-// 1 must not reach the next band.
-#define MARSCHNER_SPAN(rows) ((float)(rows) - 1.0001f)
+// Texels from a band's first row to its last. A little less than there are: a cosine that rounds
+// past 1 must not reach the next band.
+#define MARSCHNER_SPAN(rows) ((float)(rows)-1.0001f)
 
 struct marschner_state {
     float eta, beta_az; // key of the table: keep these two together and first
@@ -31,8 +31,8 @@ void tsu_i_marschner_prepare(const void *params, void *state);
 void tsu_i_marschner_record(const void *state, const struct tsu_i_place *places, float *record);
 
 // table.c
-void tsu_i_marschner_bake(const void *state, uint32_t row, float *texels);
-void tsu_i_marschner_finish(float *texels);
+void tsu_i_marschner_bake(const void *state, uint32_t row, void *scratch, float *texels);
+void tsu_i_marschner_finish(const void *state, float *texels);
 double tsu_i_marschner_worst(const void *state, const struct tsu_i_texels *tables);
 double tsu_i_marschner_worst_residual(const void *state, const struct tsu_i_texels *tables);
 
@@ -54,15 +54,14 @@ void tsu_i_marschner_fiber(const float *record, const struct tsu_i_texels *table
 // N of the four lobes at phi after absorption.
 void tsu_i_marschner_sample(const struct tsu_i_texels *table, float cos_r, float cos2_half,
                             float sigma_a, float n[4]);
-void tsu_i_marschner_hair(const void *state, const float *record,
-                          const struct tsu_i_texels *tables, const double *in, double *out);
+void tsu_i_marschner_hair(const void *state, const float *record, const struct tsu_i_texels *tables,
+                          const double *in, double *out);
 void tsu_i_marschner_hair_fine(const void *state, const float *record,
                                const struct tsu_i_texels *tables, const double *in, double *out);
 void tsu_i_marschner_azimuthal(const void *state, const float *record,
                                const struct tsu_i_texels *tables, const double *in, double *out);
 void tsu_i_marschner_longitudinal(const void *state, const float *record,
-                                  const struct tsu_i_texels *tables, const double *in,
-                                  double *out);
+                                  const struct tsu_i_texels *tables, const double *in, double *out);
 
 // functions.c
 enum { MARSCHNER_FUNCTIONS = 6 };

@@ -177,12 +177,12 @@ static void scatter(const struct marschner_state *state, double cos_theta, struc
     }
 }
 
-void tsu_i_marschner_bake(const void *opaque, uint32_t unit, float *texels)
+void tsu_i_marschner_bake(const void *opaque, uint32_t unit, void *scratch, float *texels)
 {
+    (void)scratch;
     const int is_path = unit >= MARSCHNER_ROWS;
-    const double cos_theta = is_path
-                                 ? (double)(unit - MARSCHNER_ROWS) / (MARSCHNER_PATH_ROWS - 1)
-                                 : (double)unit / (MARSCHNER_ROWS - 1);
+    const double cos_theta = is_path ? (double)(unit - MARSCHNER_ROWS) / (MARSCHNER_PATH_ROWS - 1)
+                                     : (double)unit / (MARSCHNER_ROWS - 1);
     struct row row;
     // Row 0 is the limit of grazing view: everything is reflected.
     scatter(opaque, fmax(cos_theta, 1e-4), &row);
@@ -212,8 +212,9 @@ void tsu_i_marschner_bake(const void *opaque, uint32_t unit, float *texels)
 // which halves the largest error of interpolating the samples themselves. A sixteenth would do for
 // a parabola; 1/13 balances the error at and between the knots on the caustics, the sharpest ridges
 // of the table. Even in phi at both ends.
-void tsu_i_marschner_finish(float *texels)
+void tsu_i_marschner_finish(const void *opaque, float *texels)
 {
+    (void)opaque;
     static const int pitch = 4 * WIDTH;
     float before[4 * WIDTH], now[4 * WIDTH];
     memcpy(before, texels, sizeof before);
@@ -233,9 +234,9 @@ void tsu_i_marschner_finish(float *texels)
     }
 }
 
-// Largest error over phi, at and between the columns, with theta_r at and between the rows and a spread
-// of absorptions: of R+TT+TRT in units of their peak, of the residual in units of its peak without
-// absorption.
+// Largest error over phi, at and between the columns, with theta_r at and between the rows and a
+// spread of absorptions: of R+TT+TRT in units of their peak, of the residual in units of its peak
+// without absorption.
 static double worst(const void *opaque, const struct tsu_i_texels *tables, int residual)
 {
     static const double sigmas[] = {0.0, 0.3, 1.0, 2.0, 5.0};
