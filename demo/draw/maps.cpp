@@ -15,7 +15,8 @@ namespace tsuya::draw {
 bool MapsAsked::operator==(const MapsAsked &other) const
 {
     return technique == other.technique && layers == other.layers && size == other.size &&
-           opacity == other.opacity && width_scale == other.width_scale && taper == other.taper &&
+           opacity == other.opacity && format == other.format &&
+           width_scale == other.width_scale && taper == other.taper &&
            model == other.model && directions == other.directions;
 }
 
@@ -74,7 +75,11 @@ bool Maps::plan(tsu_context *context, const MapsAsked &asked)
     GLint most = 0;
     gl_->GetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
     columns_ = int(std::ceil(std::sqrt(double(asked.directions.size()))));
-    desc.flags = gl_->es ? TSU_HAIR_SHADOW_BLEND_16F : TSU_HAIR_SHADOW_BLEND_32F;
+    const bool half = asked.format ? asked.format == TSU_FORMAT_RGBA16F : gl_->es != 0;
+    desc.flags = 0;
+    if (asked.format != TSU_FORMAT_RGBA8) {
+        desc.flags = half ? TSU_HAIR_SHADOW_BLEND_16F : TSU_HAIR_SHADOW_BLEND_32F;
+    }
     desc.model = asked.technique;
     desc.params = &params;
     desc.radius = radius_ * scale;
@@ -106,20 +111,22 @@ bool Maps::plan(tsu_context *context, const MapsAsked &asked)
 
 bool Maps::targets(int width, int height, tsu_format format)
 {
-    if (width == width_ && height == height_) {
+    if (width == width_ && height == height_ && format == format_) {
         return true;
     }
     clear();
+    const GLint colors[] = {0, 0, GL_RGBA32F, GL_RGBA16F, GL_RGBA8};
     gl_->GenTextures(3, textures_);
     gl_->GenFramebuffers(2, framebuffers_);
     gl_->ActiveTexture(GL_TEXTURE5);
     for (int i = 0; i < 3; i++) {
         gl_->BindTexture(GL_TEXTURE_2D, textures_[i]);
-        const bool half = format == TSU_FORMAT_RGBA16F;
-        gl_->TexImage2D(GL_TEXTURE_2D, 0,
-                        i == 0 ? GL_DEPTH_COMPONENT24 : half ? GL_RGBA16F : GL_RGBA32F, width,
+        gl_->TexImage2D(GL_TEXTURE_2D, 0, i == 0 ? GL_DEPTH_COMPONENT24 : colors[format], width,
                         height, 0, i == 0 ? GL_DEPTH_COMPONENT : GL_RGBA,
-                        i == 0 ? GL_UNSIGNED_INT : GL_FLOAT, nullptr);
+                        i == 0                       ? GL_UNSIGNED_INT
+                        : format == TSU_FORMAT_RGBA8 ? GL_UNSIGNED_BYTE
+                                                     : GL_FLOAT,
+                        nullptr);
         for (GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) {
             gl_->TexParameteri(GL_TEXTURE_2D, name, GL_NEAREST);
         }
@@ -145,6 +152,7 @@ bool Maps::targets(int width, int height, tsu_format format)
     }
     width_ = width;
     height_ = height;
+    format_ = format;
     return true;
 }
 
@@ -157,6 +165,8 @@ void Maps::pass(const Program &program, const MapsAsked &asked, const Strands &s
     program.set("u_model", asked.model);
     program.set("u_width_scale", asked.width_scale);
     program.set("u_taper", asked.taper);
+    // Every segment ends by itself: sums must be width times length, joints need not look closed.
+    program.set("u_thin", 1e9f);
     for (const tsu_hair_shadow_plan &plan : plans_) {
         const GLsizei size = GLsizei(plan.size);
         gl_->Viewport(GLint(plan.record[36]), GLint(plan.record[37]), size, size);

@@ -29,6 +29,7 @@ struct MapsAsked {
     int layers = 8;                       // [1, 8]
     int size = 0;                         // texels; 0: chosen from the strands' spacing
     float opacity = 1.0f;                 // of a fibre
+    tsu_format format = 0;                // that sums up; 0: the best that the context blends
     float width_scale = 1.0f;
     float taper = 0.1f;
     glm::mat4 model{1.0f};                // groom to world
@@ -79,6 +80,7 @@ class Maps
     GLuint textures_[3] = {0, 0, 0}; // front, layers, deeper
     GLuint framebuffers_[2] = {0, 0};
     int width_ = 0, height_ = 0;
+    tsu_format format_ = 0;
     int columns_ = 1;
     glm::vec3 centre_{0.0f};
     float radius_ = 1.0f, length_ = 0.0f, diameter_ = 0.0f;

@@ -146,7 +146,8 @@ class Renderer
     float grid_scale_ = 0.0f;     // width scale that the grid was filled with; 0: not filled
     std::vector<glm::vec3> swept_; // light directions in the groom's space of the shadow texture
     bool swept_beyond_ = false;
-    GLuint fibres_ = 0, beyond_ = 0, head_array_ = 0, head_vertices_ = 0, head_elements_ = 0, empty_ = 0;
+    GLuint fibres_ = 0, beyond_ = 0, empty_ = 0;
+    GLuint head_array_ = 0, head_vertices_ = 0, head_elements_ = 0;
     GLsizei head_count_ = 0;
 };
 

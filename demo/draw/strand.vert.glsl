@@ -19,6 +19,7 @@ uniform vec2 u_half_size;    // of the picture, pixels
 uniform float u_pixel_scale; // pixels of one world unit at clip w = 1
 uniform float u_width_scale; // of every fibre
 uniform float u_taper;       // share of the length over which the tip narrows to a point
+uniform float u_thin;        // full width in pixels up to which a segment counts as thin
 
 out vec3 v_position;
 out vec3 v_tangent;
@@ -50,10 +51,6 @@ vec2 direction(vec2 d, vec2 other)
     float size = length(d);
     return size > 1e-5 ? d / size : other;
 }
-
-// Full width in pixels up to which a segment counts as thin: two halves that cover this much lose
-// less than 1 part in 16 of one pixel at a joint.
-const float THIN = 0.25;
 
 float half_width(vec4 strand, int index, float w)
 {
@@ -89,7 +86,7 @@ void main()
     vec2 ends;          // length from the start and to the end, pixels
     float mitre = 1.0;
     float move = 0.0;   // of the vertex along dir, in reaches
-    if (max(half_here, half_other) < 0.5 * THIN) {
+    if (max(half_here, half_other) < 0.5 * u_thin) {
         vec2 along = end ? in_px : out_px;
         dir = direction(along, vec2(1.0, 0.0));
         ends = end ? vec2(length(along), 0.0) : vec2(0.0, length(along));

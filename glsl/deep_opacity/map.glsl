@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Deep opacity maps: layers of hair behind the first fibre of each texel.
 //
-// Source: Yuksel and Keyser 2008, "Deep Opacity Maps". A layer holds its own fibres alone, where the
-// paper adds a fragment to all layers behind it: the same sums, of smaller numbers.
+// Source: Yuksel and Keyser 2008, "Deep Opacity Maps". A layer holds its own fibres alone, where
+// the paper adds a fragment to all layers behind it: the same sums, of smaller numbers.
 
 // Outputs of the pass "layers": what this fragment adds to the targets layers and deeper.
 //   front     the map of the pass before

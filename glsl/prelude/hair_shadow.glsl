@@ -10,7 +10,7 @@
 struct tsu_hair_shadow {
     float front;         // mean number of fibres between the point and the light
     float behind;        // mean number further along the same line, away from the light
-    float direct;        // share of the direct light that arrives, mean of exp(-front) over the taps
+    float direct;        // share of the direct light that arrives, mean of exp(-front) over taps
     float transmittance; // mean of exp(-opacity front), for models without multiple scattering
 };
 

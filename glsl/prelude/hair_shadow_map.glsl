@@ -90,7 +90,8 @@ float tsu_hair_shadow_side(float x, vec2 sides)
 //   begin, end    distances of the centre from both ends along the axis, positive inside, texels
 //   direction     of the axis on the map, any length
 // Sums over all texels are width times length: no fibre is lost or counted twice.
-float tsu_hair_shadow_ribbon(float across, float half_width, float begin, float end, vec2 direction)
+float tsu_hair_shadow_ribbon(float across, float half_width, float begin, float end,
+                             vec2 direction)
 {
     vec2 d = abs(direction) / max(length(direction), 1e-20);
     vec2 sides = vec2(max(d.x, d.y), min(d.x, d.y));
@@ -100,7 +101,7 @@ float tsu_hair_shadow_ribbon(float across, float half_width, float begin, float 
     return max(covered, 0.0) * max(ends, 0.0);
 }
 
-// The same for hosts that draw lines of one texel: a line of length s has max(|dx|, |dy|) fragments.
+// The same for hosts that draw lines of one texel, which have max(|dx|, |dy|) fragments.
 //   width      of the fibre, texels
 //   direction  of the line on the map, any length
 float tsu_hair_shadow_line(float width, vec2 direction)

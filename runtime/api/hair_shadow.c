@@ -89,12 +89,19 @@ static tsu_status read_params(const tsu_context *context, const tsu_hair_shadow_
     out->layers = params.layers;
     out->growth = params.growth;
     out->from_front = model == tsu_deep_opacity();
-    if (params.layers == floorf(params.layers))
-        return TSU_OK;
-    tsu_i_log(context, TSU_LOG_ERROR, TSU_LOG_PARAMETER,
-              "tsu_%s_params.layers = %g, expected a whole number in [1, 8]", model->info.name,
-              (double)params.layers);
-    return TSU_E_PARAMETER;
+    if (params.layers != floorf(params.layers)) {
+        tsu_i_log(context, TSU_LOG_ERROR, TSU_LOG_PARAMETER,
+                  "tsu_%s_params.layers = %g, expected a whole number in [1, 8]", model->info.name,
+                  (double)params.layers);
+        return TSU_E_PARAMETER;
+    }
+    if (params.growth > 0.0f && params.growth < 1.0f) {
+        tsu_i_log(context, TSU_LOG_ERROR, TSU_LOG_PARAMETER,
+                  "tsu_%s_params.growth = %g, expected 0 or [1, 4]", model->info.name,
+                  (double)params.growth);
+        return TSU_E_PARAMETER;
+    }
+    return TSU_OK;
 }
 
 tsu_status tsu_hair_shadow_make(tsu_context *context, const tsu_hair_shadow_desc *desc,

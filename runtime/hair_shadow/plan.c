@@ -120,7 +120,10 @@ static void put_matrices(const tsu_hair_shadow_desc *desc, const struct view *vi
 static void put_layers(const struct tsu_i_shadow_params *params, double depth,
                        tsu_hair_shadow_plan *plan)
 {
-    const double growth = (double)params->growth;
+    // With eight layers behind the first fibre 1.6 had the least error in straight, wavy and curly
+    // hair; fewer layers must grow faster to be as thin in front.
+    const double chosen = params->from_front ? 1.0 + 4.8 / (double)params->layers : 1.0;
+    const double growth = params->growth > 0.0f ? (double)params->growth : chosen;
     double sum = 0.0, part = 1.0;
     plan->layers = (uint32_t)params->layers;
     for (uint32_t k = 0; k < plan->layers; k++, part *= growth)

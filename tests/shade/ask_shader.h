@@ -26,5 +26,6 @@ const char *model_name(const tsu_model *model);
 int text_tests(void);
 int read_tests(void);
 int compile_tests(void);
+int shadow_tests(void);
 
 #endif

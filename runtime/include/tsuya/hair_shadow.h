@@ -17,7 +17,7 @@
 //       float behind;         // mean number further along the same line, away from the light
 //       float direct;         // share of the direct light that arrives: mean of exp(-front) over
 //                             // the filter's taps, each the chance to meet no fibre
-//       float transmittance;  // mean of exp(-opacity front), for models without multiple scattering
+//       float transmittance;  // mean of exp(-opacity front): models without multiple scattering
 //   };
 //
 //   tsu_deep_opacity_read(front, layers, record, position)           up to 4 layers,  8 fetches
@@ -29,8 +29,8 @@
 //   tsu_hair_shadow_none()                 no shadow
 //
 // A number behind that nobody knows is TSU_HAIR_SHADOW_UNKNOWN: hair beyond the point is thick.
-// Models that take `front`, `behind` and `direct` as extra inputs (model.h) get them as they are and
-// are not multiplied by anything; the others are multiplied by `transmittance`.
+// Models that take `front`, `behind` and `direct` as extra inputs (model.h) get them as they are
+// and are not multiplied by anything; the others are multiplied by `transmittance`.
 //
 // Filter. A map holds the fibres that cross each texel, by the share of it that they cover, so a
 // read is never of one fibre. Four texels around the point are read one by one, each with its own
@@ -38,8 +38,11 @@
 // exponentials stays one, and no texture has to be filtered. Bind them with nearest filters.
 //
 // What a map cannot know: where inside a texel fibres are. Hair that is even at that scale is met
-// with the chance exp(-front); locks and gaps narrower than a texel are averaged. See the errors of
-// the two models (tsu_model_error) and `spacings` in their parameters.
+// with the chance exp(-front), or lets exp(-opacity front) of the light through when each fibre
+// takes the share `opacity`; locks and gaps narrower than a texel are averaged. Against rays
+// averaged over a strand's spacing the error is least between half a spacing and two spacings a
+// texel; 1.5, the default, is the cheapest that keeps it below 0.03 (tsu_model_error). A fibre
+// counts itself in part: 0.5 width / texel in the mean, nothing where it is the first.
 #ifndef TSUYA_HAIR_SHADOW_H
 #define TSUYA_HAIR_SHADOW_H
 
@@ -112,8 +115,8 @@ TSU_API tsu_status tsu_hair_shadow_desc_init_sized(tsu_hair_shadow_desc *desc, s
 
 enum {
     TSU_HAIR_SHADOW_EMPTY = 1,  // length or width is 0: clear the targets and draw nothing
-    TSU_HAIR_SHADOW_PARTIAL = 2 // the light is in the hair or close to it: the map sees a cone of 76
-                                // degrees around the centre, hair outside of it casts no shadow
+    TSU_HAIR_SHADOW_PARTIAL = 2 // the light is in the hair or close to it: the map sees a cone of
+                                // 76 degrees around the centre, hair outside casts no shadow
 };
 
 // What to make and to draw. Data only: it may be copied, kept and written to a file.

@@ -7,18 +7,18 @@ typedef tsu_opacity_shadow_params params;
 
 static const params defaults = {.struct_size = sizeof(params),
                                 .opacity = 1.0f,
-                                .spacings = 2.0f,
+                                .spacings = 1.5f,
                                 .layers = 8.0f,
-                                .growth = 1.0f};
+                                .growth = 0.0f};
 
 static const tsu_parameter_info parameters[] = {
     TSU_I_PARAMETER(params, opacity, 1, "1", 0, 0, 1, 1,
                     "share of the light that one fibre takes out of its way"),
-    TSU_I_PARAMETER(params, spacings, 1, "1", 0, 0.1, 100, 2,
+    TSU_I_PARAMETER(params, spacings, 1, "1", 0, 0.1, 100, 1.5,
                     "side of a texel in strand spacings"),
     TSU_I_PARAMETER(params, layers, 1, "1", 0, 1, 8, 8, "number of layers, whole"),
-    TSU_I_PARAMETER(params, growth, 1, "1", 0, 1, 4, 1,
-                    "thickness of a layer over that of the one before it")};
+    TSU_I_PARAMETER(params, growth, 1, "1", 0, 0, 4, 0,
+                    "thickness of a layer over that of the one before it; 0: chosen")};
 
 static const tsu_error_info errors[] = {
 #include "models/opacity_shadow/errors.inc"
@@ -26,7 +26,8 @@ static const tsu_error_info errors[] = {
 
 static const tsu_input_info inputs[] = {
     TSU_I_INPUT("layers", "sampler2D", 0, "fibres in layers 1 to 4, nearest filter"),
-    TSU_I_INPUT("deeper", "sampler2D", 0, "fibres in layers 5 to 8, for the function whose name ends in 8"),
+    TSU_I_INPUT("deeper", "sampler2D", 0,
+                "fibres in layers 5 to 8, for the function whose name ends in 8"),
     TSU_I_INPUT("record", "vec4[12]", 0, "record of the plan"),
     TSU_I_INPUT("position", "vec3", 0, "point to shade, world")};
 

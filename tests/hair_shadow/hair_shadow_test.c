@@ -1,0 +1,6 @@
+#include "tests.h"
+
+int main(void)
+{
+    return plan_tests() + map_tests();
+}
