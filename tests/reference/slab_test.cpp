@@ -39,7 +39,7 @@ constexpr double half_depth = 16.0; // as deep as a half space has to be
 // Ways side by side within a radius meet the same fibres, so a slab has to be broad.
 double half_breadth(double depth)
 {
-    return std::max(640.0 / depth, 80.0);
+    return std::max(480.0 / depth, 60.0);
 }
 
 // Light enters this far from the sides.
@@ -107,7 +107,7 @@ struct Measured {
 void walk(const World &world, double depth, double theta, std::uint64_t seed, Measured &total)
 {
     const Tracer tracer(world);
-    constexpr int parts = 32, paths = 40000;
+    constexpr int parts = 32, paths = 20000;
     const double half_window = half_breadth(depth) - margin(depth);
     std::vector<Measured> of(parts);
     std::atomic<int> next{0};
@@ -153,23 +153,26 @@ struct Row {
     }
 };
 
-// Every row, in slabs of as many random arrangements as there are rounds.
-std::vector<Row> walk_all(Longitudinal kind, int rounds)
+constexpr Longitudinal kinds[] = {Longitudinal::gaussian, Longitudinal::deon};
+
+// Every row for both kinds of fibre, in slabs of as many random arrangements as there are rounds.
+std::map<Longitudinal, std::vector<Row>> walk_all()
 {
-    std::map<double, std::shared_ptr<const Fiber>> fibers;
-    std::vector<Row> rows;
-    for (const SlabTruth &truth : slab_truth) {
-        rows.push_back({truth, false, {}});
-    }
-    for (const SlabTruth &truth : half_space_truth) {
-        rows.push_back({truth, true, {}});
-    }
-    for (const Row &row : rows) {
-        FiberParams params;
-        params.longitudinal = kind;
-        params.sigma_a = glm::dvec3(row.truth.sigma_a);
-        if (!fibers[row.truth.sigma_a]) {
-            fibers[row.truth.sigma_a] = std::make_shared<Fiber>(params);
+    const int rounds = is_long() ? 20 : 1;
+    std::map<std::pair<Longitudinal, double>, std::shared_ptr<const Fiber>> fibers;
+    std::map<Longitudinal, std::vector<Row>> all;
+    for (Longitudinal kind : kinds) {
+        for (const SlabTruth &truth : slab_truth) {
+            all[kind].push_back({truth, false, {}});
+        }
+        for (const SlabTruth &truth : half_space_truth) {
+            all[kind].push_back({truth, true, {}});
+        }
+        for (double sigma_a : {0.02, 0.3}) {
+            FiberParams params;
+            params.longitudinal = kind;
+            params.sigma_a = glm::dvec3(sigma_a);
+            fibers[{kind, sigma_a}] = std::make_shared<Fiber>(params);
         }
     }
     std::uint64_t seed = 1;
@@ -177,15 +180,17 @@ std::vector<Row> walk_all(Longitudinal kind, int rounds)
         for (int round = 0; round < rounds; round++) {
             World world;
             world.geometry = slab(depth, seed++);
-            for (Row &row : rows) {
-                if (row.depth() == depth) {
-                    world.fiber = fibers[row.truth.sigma_a];
-                    walk(world, depth, row.truth.theta * degree, seed++, row.measured);
+            for (auto &[kind, rows] : all) {
+                for (Row &row : rows) {
+                    if (row.depth() == depth) {
+                        world.fiber = fibers.at({kind, row.truth.sigma_a});
+                        walk(world, depth, row.truth.theta * degree, seed++, row.measured);
+                    }
                 }
             }
         }
     }
-    return rows;
+    return all;
 }
 
 struct Scores {
@@ -212,15 +217,15 @@ struct Scores {
     }
 };
 
-Scores compare(Longitudinal kind, int rounds, double model, double model_oblique)
+Scores compare(Longitudinal kind, double model)
 {
+    static const std::map<Longitudinal, std::vector<Row>> all = walk_all();
     Scores scores;
-    for (const Row &row : walk_all(kind, rounds)) {
+    for (const Row &row : all.at(kind)) {
         const SlabTruth &t = row.truth;
-        const double near = std::abs(t.theta) > 45.0 ? model_oblique : model;
-        scores.add(row, "back", row.measured.back, t.back, t.back_error, near);
+        scores.add(row, "back", row.measured.back, t.back, t.back_error, model);
         if (!row.half_space) {
-            scores.add(row, "through", row.measured.through, t.through, t.through_error, near);
+            scores.add(row, "through", row.measured.through, t.through, t.through_error, model);
         }
     }
     std::printf("%d figures: rms z %.2f, max |z| %.2f\n", scores.count, scores.rms(), scores.most);
@@ -229,16 +234,16 @@ Scores compare(Longitudinal kind, int rounds, double model, double model_oblique
 
 void agrees_with_the_random_walk(void **)
 {
-    const Scores scores = compare(Longitudinal::gaussian, is_long() ? 20 : 1, 0.0, 0.0);
+    const Scores scores = compare(Longitudinal::gaussian, 0.0);
     assert_true(scores.rms() <= 1.3);
     assert_true(scores.most <= 4.5);
 }
 
-// The shipped lobe is another one, of the same shift, width and energy:
+// The shipped lobe is another one of the same shift, width and energy: its figures differ by at
+// most 0.003 of the light that comes in, 0.0021 as far as 800000 paths a row tell.
 void shipped_lobe_is_near(void **)
 {
-    const Scores scores = compare(Longitudinal::deon, is_long() ? 20 : 1, 0.003, 0.003);
-    assert_true(scores.most <= 4.5);
+    assert_true(compare(Longitudinal::deon, 0.003).most <= 4.5);
 }
 
 } // namespace
