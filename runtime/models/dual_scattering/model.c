@@ -135,9 +135,7 @@ static void record(const void *from, const struct tsu_i_place *places, float *ou
     out[25] = ((float)fields->y + 0.5f) / height;
     out[26] = (float)(FIELDS_WIDTH - 1) / width;
     out[27] = DUAL_SPAN(FIELDS_ROWS) / height;
-    float u = 0.0f;
-    for (int k = 0; k < 3; k++)
-        u += tsu_i_dual_sigma_place(state->fiber.sigma_a[k]) / 3.0f;
+    const float u = tsu_i_dual_material_place(&state->fiber);
     out[28] = ((float)spread->x + 0.5f) / width;
     out[29] = ((float)spread->y + 0.5f + u * DUAL_SPAN(SPREAD_ROWS)) / height;
     out[30] = (float)(SPREAD_WIDTH - 1) / width;

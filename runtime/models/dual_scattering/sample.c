@@ -16,68 +16,46 @@ static void field(const struct tsu_i_texels *tables, struct columns at, int band
                           at.cos_r * DUAL_SPAN(FIELDS_ROWS) + (float)(band * FIELDS_ROWS), out);
 }
 
-static float lobe_at(const struct tsu_i_texels *tables, const float products[4], float x, float y)
+static float lobe_value(const float lobe[4], const float products[4])
 {
-    float lobe[4];
-    tsu_i_marschner_fetch(tables + 2, SPREAD_WIDTH, SPREAD_HEIGHT, x, y, lobe);
     const float argument = fabsf(lobe[0] * products[0] + lobe[1] * products[1]);
     const float exponent = (lobe[2] - lobe[0] * products[2] + lobe[1] * products[3]) + argument;
     return exp2f(exponent) / sqrtf(fmaxf(1.4022f * argument - 0.5655f, 0.32316f));
 }
 
-struct material {
-    const struct dual_state *state;
-    const float *record;
-    const struct tsu_i_texels *tables;
-    float sigma_a;
-    float row; // of "spread", for the material's own absorption
-};
-
-static struct material material_of(const void *opaque, const float *record,
-                                   const struct tsu_i_texels *tables, float sigma_a)
-{
-    const struct dual_state *state = opaque;
-    float u = 0.0f;
-    for (int k = 0; k < 3; k++)
-        u += tsu_i_dual_sigma_place(state->fiber.sigma_a[k]) / 3.0f;
-    return (struct material){state, record, tables, sigma_a, u * DUAL_SPAN(SPREAD_ROWS)};
-}
-
-static float fiber(const struct material *m, const struct marschner_view *view)
+static float fiber(const struct tsu_i_dual_slab *m, const struct marschner_view *view)
 {
     float lobes[4];
-    tsu_i_marschner_fiber(m->record, m->tables, view, m->sigma_a, 0, lobes);
+    tsu_i_marschner_fiber(m->record, m->azimuthal, view, m->sigma_a, 0, lobes);
     return lobes[0] + lobes[1] + lobes[2] + lobes[3];
 }
 
-static float finite(const struct material *m, const struct marschner_view *view, const float s[4],
-                    float front, float behind, float direct)
+static float finite(const struct tsu_i_dual_slab *m, const struct marschner_view *view, float front,
+                    float behind, float direct)
 {
+    const float *s = m->stream;
     const float x = exp2f(-front * s[0]), z = exp2f(-2.0f * behind * s[0]) * s[1];
     const float p = s[3] * s[1] + s[2], q = s[2] * s[1] + s[3];
     const float scale = x / (1.0f - x * s[1] * (x * z));
-    const float column = expf(-FRONT_RATE * front) * (SPREAD_WIDTH - 1);
+    const float column = expf(-FRONT_RATE * front) * (float)(m->columns - 1);
     const float c = view->cos2_half, d = 1.0f - c;
-    const float near =
-        0.42441318f * m->state->d_b * c * c * lobe_at(m->tables, view->products, column, m->row);
-    const float far = 0.42441318f * m->state->d_f * d * d *
-                      lobe_at(m->tables, view->products, column, m->row + SPREAD_ROWS);
+    float lobe[2][4];
+    for (int far = 0; far < 2; far++)
+        tsu_i_marschner_fetch(m->lobes, m->columns, m->rows, column, m->row[far], lobe[far]);
+    // The record's d_b and d_f, over the integral of cos^4(phi/2).
+    const float near = m->record[19] * c * c * lobe_value(lobe[0], view->products);
+    const float far = m->record[22] * d * d * lobe_value(lobe[1], view->products);
     const float multiple = ((p - q * z) * near + (q - p * z) * far) * scale -
-                           powf(direct, m->state->gamma) * (s[2] * near + s[3] * far);
+                           powf(direct, m->record[15]) * (s[2] * near + s[3] * far);
     return direct * fiber(m, view) + fmaxf(multiple, 0.0f);
 }
 
-void tsu_i_dual_sampled_exact(const void *state, const float *record,
-                              const struct tsu_i_texels *tables, const double *in, double *out)
+void tsu_i_dual_slab(const struct tsu_i_dual_slab *m, double whole, double out[4])
 {
     enum { AZIMUTHS = 12, DEPTHS = 24, INCLINATIONS = 80 };
-    const struct material m = material_of(state, record, tables, (float)in[1]);
-    const float sin_r = (float)sin(in[0]), tau = (float)fmin(in[2], 1e4), seen = 1.0f - expf(-tau);
+    const float tau = (float)fmin(whole, 1e4), seen = 1.0f - expf(-tau);
     const float deepest = fminf(tau, 20.0f);
-    const struct columns at = {tsu_i_dual_sigma_place(m.sigma_a), (float)fmax(cos(in[0]), 0.0)};
-    float s[4];
-    field(tables, at, 0, s);
-    double forward = s[3], backward = s[2], r = 0.0, through = 0.0;
+    double forward = m->stream[3], backward = m->stream[2], r = 0.0, through = 0.0;
     tsu_i_two_stream_halves(&backward, &forward);
     const double restore = tsu_i_two_stream_restore(forward + backward);
     for (int i = 0; i < INCLINATIONS; i++) {
@@ -85,17 +63,17 @@ void tsu_i_dual_sampled_exact(const void *state, const float *record,
         for (int a = 0; a < AZIMUTHS; a++) {
             const float phi = HALF_PI * ((float)a + 0.5f) / AZIMUTHS, half = cosf(0.5f * phi);
             const struct marschner_view near =
-                tsu_i_marschner_view(sinf(theta), sin_r, half * half);
+                tsu_i_marschner_view(sinf(theta), m->sin_r, half * half);
             const struct marschner_view far =
-                tsu_i_marschner_view(sinf(theta), sin_r, 1.0f - half * half);
+                tsu_i_marschner_view(sinf(theta), m->sin_r, 1.0f - half * half);
             for (int d = 0; d < DEPTHS; d++) {
                 const float u = ((float)d + 0.5f) / DEPTHS, mu = cosf(phi);
                 const float depth = -logf(1.0f - seen * u), level = u * deepest;
                 const float above = depth / mu, under = fmaxf(tau - level, 0.0f) / mu;
                 r += cosf(theta) *
-                     finite(&m, &near, s, above, fmaxf(tau - depth, 0.0f) / mu, expf(-above));
-                through += expf(-level) * cosf(theta) *
-                           finite(&m, &far, s, under, level / mu, expf(-under));
+                     finite(m, &near, above, fmaxf(tau - depth, 0.0f) / mu, expf(-above));
+                through +=
+                    expf(-level) * cosf(theta) * finite(m, &far, under, level / mu, expf(-under));
             }
         }
     }
@@ -104,6 +82,30 @@ void tsu_i_dual_sampled_exact(const void *state, const float *record,
     out[1] = backward * restore;
     out[2] = r * weight * seen;
     out[3] = through * weight * deepest + exp(-tau);
+}
+
+static struct tsu_i_dual_slab material_of(const void *opaque, const float *record,
+                                          const struct tsu_i_texels *tables, const double *in)
+{
+    const struct dual_state *state = opaque;
+    const float row = tsu_i_dual_material_place(&state->fiber) * DUAL_SPAN(SPREAD_ROWS);
+    return (struct tsu_i_dual_slab){.record = record,
+                                    .azimuthal = tables,
+                                    .lobes = tables + 2,
+                                    .sigma_a = (float)in[1],
+                                    .sin_r = (float)sin(in[0]),
+                                    .columns = SPREAD_WIDTH,
+                                    .rows = SPREAD_HEIGHT,
+                                    .row = {row, row + SPREAD_ROWS}};
+}
+
+void tsu_i_dual_sampled_exact(const void *state, const float *record,
+                              const struct tsu_i_texels *tables, const double *in, double *out)
+{
+    struct tsu_i_dual_slab m = material_of(state, record, tables, in);
+    const struct columns at = {tsu_i_dual_sigma_place(m.sigma_a), (float)fmax(cos(in[0]), 0.0)};
+    field(tables, at, 0, m.stream);
+    tsu_i_dual_slab(&m, in[2], out);
 }
 
 static float widened(const float products[4], float shift, float variance)
@@ -122,29 +124,30 @@ static float azimuth(float c0, float c1, float c3, float cos_phi)
     return fmaxf(0.15915494f * c0 + 0.20264237f * c1 * cos_phi - 0.06754746f * c3 * cos_3phi, 0.0f);
 }
 
-static float zinke(const struct material *m, const struct marschner_view *view, struct columns at,
-                   float front, float direct)
+static float zinke(const struct tsu_i_dual_slab *m, const struct dual_state *state,
+                   const struct tsu_i_texels *tables, const struct marschner_view *view,
+                   struct columns at, float front, float direct)
 {
     float whole[4], tt[4], trt[4], spread[4];
-    field(m->tables, at, 1, whole);
-    field(m->tables, at, 2, tt);
-    field(m->tables, at, 3, trt);
-    tsu_i_marschner_fetch(m->tables + 2, SPREAD_WIDTH, SPREAD_HEIGHT, at.place * (SPREAD_WIDTH - 1),
+    field(tables, at, 1, whole);
+    field(tables, at, 2, tt);
+    field(tables, at, 3, trt);
+    tsu_i_marschner_fetch(tables + 2, SPREAD_WIDTH, SPREAD_HEIGHT, at.place * (SPREAD_WIDTH - 1),
                           at.cos_r * DUAL_SPAN(FIELDS_ROWS) + 2.0f * SPREAD_ROWS, spread);
     const float cos_phi = 2.0f * view->cos2_half - 1.0f, added = front * spread[2];
-    const float through = (1.0f - direct) * m->state->d_f * exp2f(front * whole[0]);
+    const float through = (1.0f - direct) * state->d_f * exp2f(front * whole[0]);
     float moved[3];
     for (int p = 0; p < 3; p++) {
-        const double beta = m->state->fiber.beta[p];
+        const double beta = state->fiber.beta[p];
         moved[p] =
-            widened(view->products, (float)m->state->fiber.alpha[p], (float)(beta * beta) + added);
+            widened(view->products, (float)state->fiber.alpha[p], (float)(beta * beta) + added);
     }
     float sum = direct * fiber(m, view) +
                 through * (azimuth(whole[2], whole[3], tt[3], cos_phi) * moved[0] +
                            azimuth(tt[0], tt[1], tt[2], cos_phi) * moved[1] +
                            azimuth(trt[0], trt[1], trt[2], cos_phi) * moved[2]);
     if (cos_phi > 0.0f)
-        sum += m->state->d_b * whole[1] / PI *
+        sum += state->d_b * whole[1] / PI *
                (direct * widened(view->products, spread[0], spread[1]) +
                 through * widened(view->products, spread[0], spread[1] + added));
     return sum;
@@ -154,7 +157,7 @@ void tsu_i_dual_sampled_zinke(const void *state, const float *record,
                               const struct tsu_i_texels *tables, const double *in, double *out)
 {
     enum { AZIMUTHS = 96, INCLINATIONS = 96 };
-    const struct material m = material_of(state, record, tables, (float)in[1]);
+    const struct tsu_i_dual_slab m = material_of(state, record, tables, in);
     const float sin_r = (float)sin(in[0]), tau = (float)fmin(in[2], 1e4);
     const struct columns at = {tsu_i_dual_sigma_place(m.sigma_a), (float)fmax(cos(in[0]), 0.0)};
     double back = 0.0, all = 0.0, behind = 0.0;
@@ -163,10 +166,10 @@ void tsu_i_dual_sampled_zinke(const void *state, const float *record,
         for (int i = 0; i < INCLINATIONS; i++) {
             const float theta = PI * (((float)i + 0.5f) / INCLINATIONS - 0.5f);
             const struct marschner_view view = tsu_i_marschner_view(sinf(theta), sin_r, cos2_half);
-            const float near = cosf(theta) * zinke(&m, &view, at, 0.0f, 0.0f);
+            const float near = cosf(theta) * zinke(&m, state, tables, &view, at, 0.0f, 0.0f);
             all += near;
             back += cos2_half > 0.5f ? near : 0.0f;
-            behind += cosf(theta) * zinke(&m, &view, at, tau, 0.0f);
+            behind += cosf(theta) * zinke(&m, state, tables, &view, at, tau, 0.0f);
         }
     }
     float whole[4], spread[4];

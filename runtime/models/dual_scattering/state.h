@@ -37,6 +37,11 @@ struct dual_state {
 double tsu_i_dual_sigma_node(int i, int count); // absorption of column i
 double tsu_i_dual_front_node(int i, int count);
 float tsu_i_dual_sigma_place(float sigma_a); // u, [0, 1]
+// u of a material, for lobes that all channels share: the channels' mean.
+float tsu_i_dual_material_place(const struct marschner_state *fiber);
+// The lobe of mean and variance as a, b, c of the record.
+struct tsu_i_dual_moments;
+void tsu_i_dual_lobe(const struct tsu_i_dual_moments *moments, float lobe[4]);
 
 // table.c
 void tsu_i_dual_bake_fields(const void *state, uint32_t row, void *scratch, float *texels);
@@ -61,6 +66,16 @@ void tsu_i_dual_zinke(const struct tsu_i_strand *strand, const struct tsu_i_even
                       struct tsu_i_dual_zinke *out);
 
 // sample.c: the shader's formulas in C.
+// A slab drawn fibre by fibre out of a record like this model's.
+struct tsu_i_dual_slab {
+    const float *record;                          // d_b, d_f, gamma and the fibre's
+    const struct tsu_i_texels *azimuthal, *lobes; // lobes: a, b, c over fibres in front
+    float sigma_a, sin_r;
+    float stream[4];   // k, r, shares back and on
+    int columns, rows; // of `lobes`
+    float row[2];      // in `lobes` of light that comes back, and that goes on
+};
+void tsu_i_dual_slab(const struct tsu_i_dual_slab *slab, double tau, double out[4]);
 void tsu_i_dual_sampled_exact(const void *state, const float *record,
                               const struct tsu_i_texels *tables, const double *in, double *out);
 void tsu_i_dual_sampled_zinke(const void *state, const float *record,

@@ -34,6 +34,14 @@ float tsu_i_dual_sigma_place(float sigma_a)
     return u < 0.0f ? 0.0f : u > 1.0f ? 1.0f : u;
 }
 
+float tsu_i_dual_material_place(const struct marschner_state *fiber)
+{
+    float u = 0.0f;
+    for (int k = 0; k < 3; k++)
+        u += tsu_i_dual_sigma_place(fiber->sigma_a[k]) / 3.0f;
+    return u;
+}
+
 // Row 0 of a band is the limit of grazing view: everything is reflected.
 static double inclination(int row, int rows)
 {
@@ -89,7 +97,7 @@ void tsu_i_dual_bake_fields(const void *state, uint32_t unit, void *scratch, flo
     }
 }
 
-static void lobe(const struct tsu_i_dual_moments *moments, float *out)
+void tsu_i_dual_lobe(const struct tsu_i_dual_moments *moments, float out[4])
 {
     const double v = moments->variance, c = 1.0 / (v * -expm1(-2.0 / v));
     out[0] = (float)(TSU_I_LOG2E * cos(moments->mean) / v);
@@ -113,7 +121,7 @@ void tsu_i_dual_bake_spread(const void *state, uint32_t row, void *scratch, floa
         for (int i = 0; i < SPREAD_WIDTH; i++) {
             struct tsu_i_dual_moments moments[2];
             tsu_i_dual_moments(&strand, &event, tsu_i_dual_front_node(i, SPREAD_WIDTH), moments);
-            lobe(moments + (row >= SPREAD_ROWS), texels + 4 * i);
+            tsu_i_dual_lobe(moments + (row >= SPREAD_ROWS), texels + 4 * i);
         }
         return;
     }
