@@ -18,22 +18,15 @@ void tsu_opacity_shadow_write(vec4 record[12], vec3 position, float amount, out 
 tsu_hair_shadow tsu_opacity_shadow_read(sampler2D layers, vec4 record[12], vec3 position)
 {
     vec3 at = tsu_hair_shadow_place(record, position);
-    vec2 base = floor(at.xy);
+    ivec4 c = tsu_hair_shadow_texels(record, at.xy);
+    vec4 w = tsu_hair_shadow_weights(at.xy);
     tsu_hair_shadow sum = tsu_hair_shadow(0.0, 0.0, 0.0, 0.0);
     for (int i = 0; i < 4; i++) {
-        vec2 corner = vec2(float(i % 2), float(i / 2));
-        float weight = tsu_hair_shadow_weight(at.xy - base, corner);
-        ivec2 texel = ivec2(base + corner + record[9].xy);
-        if (tsu_hair_shadow_inside(record, base + corner)) {
-            float depth = at.z;
-            tsu_hair_shadow_tap(record, depth, texelFetch(layers, texel, 0),
-                                vec4(0.0), weight, sum);
-        } else {
-            sum.direct += weight;
-            sum.transmittance += weight;
-        }
+        ivec2 texel = ivec2(i % 2 == 0 ? c.x : c.z, i < 2 ? c.y : c.w);
+        tsu_hair_shadow_tap(record, at.z, texelFetch(layers, texel, 0),
+                            vec4(0.0), w[i], sum);
     }
-    return sum;
+    return tsu_hair_shadow_sum(record, sum);
 }
 
 // Shadow at a point, from maps of up to eight layers: eight fetches.
@@ -42,20 +35,13 @@ tsu_hair_shadow tsu_opacity_shadow_read8(sampler2D layers, sampler2D deeper, vec
                                          vec3 position)
 {
     vec3 at = tsu_hair_shadow_place(record, position);
-    vec2 base = floor(at.xy);
+    ivec4 c = tsu_hair_shadow_texels(record, at.xy);
+    vec4 w = tsu_hair_shadow_weights(at.xy);
     tsu_hair_shadow sum = tsu_hair_shadow(0.0, 0.0, 0.0, 0.0);
     for (int i = 0; i < 4; i++) {
-        vec2 corner = vec2(float(i % 2), float(i / 2));
-        float weight = tsu_hair_shadow_weight(at.xy - base, corner);
-        ivec2 texel = ivec2(base + corner + record[9].xy);
-        if (tsu_hair_shadow_inside(record, base + corner)) {
-            float depth = at.z;
-            tsu_hair_shadow_tap(record, depth, texelFetch(layers, texel, 0),
-                                texelFetch(deeper, texel, 0), weight, sum);
-        } else {
-            sum.direct += weight;
-            sum.transmittance += weight;
-        }
+        ivec2 texel = ivec2(i % 2 == 0 ? c.x : c.z, i < 2 ? c.y : c.w);
+        tsu_hair_shadow_tap(record, at.z, texelFetch(layers, texel, 0),
+                            texelFetch(deeper, texel, 0), w[i], sum);
     }
-    return sum;
+    return tsu_hair_shadow_sum(record, sum);
 }

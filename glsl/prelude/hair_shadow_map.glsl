@@ -4,7 +4,7 @@
 // `record` is the plan's (tsuya/hair_shadow.h). Textures are read by texelFetch alone.
 
 // Place of a point in the map, in texels from the centre of the first one, and distance behind the
-// near plane. A point that is not finite, or behind a point light, comes out far away.
+// near plane. A point that is not finite, or behind a point light, comes out before all hair.
 vec3 tsu_hair_shadow_place(vec4 record[12], vec3 position)
 {
     vec4 p = vec4(position, 1.0);
@@ -13,14 +13,13 @@ vec3 tsu_hair_shadow_place(vec4 record[12], vec3 position)
     float ahead = dot(record[3], p);
     // Every comparison with what is no number is false.
     bool good = w > 0.0 && abs(at.x) < 16384.0 && abs(at.y) < 16384.0 && abs(ahead) < 1e30;
-    return good ? vec3(at, ahead) : vec3(-16384.0, -16384.0, 0.0);
+    return good ? vec3(at, ahead) : vec3(0.0, 0.0, -1e30);
 }
 
 // Distance behind the near plane of a depth in [0, 1] as a depth buffer stores it.
 float tsu_hair_shadow_stored(vec4 record[12], float depth)
 {
-    vec4 s = record[4];
-    return (s.x * depth + s.y) / (s.z * depth + s.w);
+    return record[4].x * depth / (record[4].z * depth + record[4].w);
 }
 
 // What a fragment adds to its layer: `amount` fibres at `depth` behind the layers' beginning.
@@ -43,32 +42,41 @@ void tsu_hair_shadow_add(vec4 record[12], vec3 position, float depth, float amou
     deeper = value * (b - vec4(b.yzw, 0.0));
 }
 
-// One texel's answer, added with its weight. `depth` is the point's behind the layers' beginning.
+// The four texels around a place: columns and rows of the first and the last, in the tile. Places
+// outside get the outermost texels, in which a plan leaves no hair.
+ivec4 tsu_hair_shadow_texels(vec4 record[12], vec2 at)
+{
+    vec4 corners = floor(vec4(at, at + 1.0));
+    return ivec4(clamp(corners, 0.0, record[9].z - 1.0) + record[9].xyxy);
+}
+
+// Their weights: (first, first), (last, first), (first, last), (last, last).
+vec4 tsu_hair_shadow_weights(vec2 at)
+{
+    vec2 f = at - floor(at);
+    vec2 x = vec2(1.0 - f.x, f.x);
+    return vec4(x * (1.0 - f.y), x * f.y);
+}
+
+// One texel's answer, added with its weight: `behind` still holds all fibres.
+//   depth  of the point behind the layers' beginning
 void tsu_hair_shadow_tap(vec4 record[12], float depth, vec4 layers, vec4 deeper, float weight,
                          inout tsu_hair_shadow sum)
 {
     // Hair is even within a layer.
-    vec4 a = clamp(depth * record[5] + record[7], 0.0, 1.0);
-    vec4 b = clamp(depth * record[6] + record[8], 0.0, 1.0);
-    float front = record[10].y * (dot(a, layers) + dot(b, deeper));
-    float rest = record[10].y * (dot(1.0 - a, layers) + dot(1.0 - b, deeper));
+    float front = record[10].y * (dot(clamp(depth * record[5] + record[7], 0.0, 1.0), layers) +
+                                  dot(clamp(depth * record[6] + record[8], 0.0, 1.0), deeper));
     sum.front += weight * front;
-    sum.behind += weight * rest;
+    sum.behind += weight * dot(layers + deeper, vec4(1.0));
     sum.direct += weight * exp(-front);
     sum.transmittance += weight * exp(-record[10].x * front);
 }
 
-// Is this texel in the map? What is outside holds no hair.
-bool tsu_hair_shadow_inside(vec4 record[12], vec2 texel)
+// All fibres less those in front are those behind.
+tsu_hair_shadow tsu_hair_shadow_sum(vec4 record[12], tsu_hair_shadow sum)
 {
-    return texel.x >= 0.0 && texel.y >= 0.0 && texel.x < record[9].z && texel.y < record[9].z;
-}
-
-// Weight of tap i of the four around a place with fraction f.
-float tsu_hair_shadow_weight(vec2 f, vec2 corner)
-{
-    vec2 w = mix(1.0 - f, f, corner);
-    return w.x * w.y;
+    sum.behind = max(record[10].y * sum.behind - sum.front, 0.0);
+    return sum;
 }
 
 // Share of a unit square on one side of a line at distance x from its centre.

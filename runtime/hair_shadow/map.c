@@ -151,22 +151,23 @@ void tsu_i_shadow_write(const tsu_hair_shadow_plan *plan, const float *points,
             }
 }
 
-// One texel's answer, added with its weight.
-static void tap(const struct map *map, int x, int y, float distance, float weight, float sum[4])
+// One texel's answer, added with its weight. Outermost texels, which hold no hair, stand for what is
+// outside.
+static void tap(const struct map *map, float column, float line, float distance, float weight,
+                float sum[4])
 {
+    const float *record = map->plan->record;
+    const size_t area = (size_t)map->size * (size_t)map->size;
+    const int x = clamped(column, map->size - 1), y = clamped(line, map->size - 1);
+    const size_t texel = (size_t)y * (size_t)map->size + (size_t)x;
+    const float depth = tsu_i_shadow_from_front(map->plan) ? distance - map->front[texel]
+                                                           : distance;
     float front = 0.0f, all = 0.0f;
-    if (x >= 0 && y >= 0 && x < map->size && y < map->size) {
-        const float *record = map->plan->record;
-        const size_t area = (size_t)map->size * (size_t)map->size;
-        const size_t texel = (size_t)y * (size_t)map->size + (size_t)x;
-        const float depth = tsu_i_shadow_from_front(map->plan) ? distance - map->front[texel]
-                                                               : distance;
-        for (uint32_t k = 0; k < map->plan->layers; k++) {
-            const float amount = map->layers[area * k + texel];
-            front += amount * clamp01(depth * record[TSU_I_SHADOW_SCALE + k] +
-                                      record[TSU_I_SHADOW_OFFSET + k]);
-            all += amount;
-        }
+    for (uint32_t k = 0; k < map->plan->layers; k++) {
+        const float amount = map->layers[area * k + texel];
+        front += amount * clamp01(depth * record[TSU_I_SHADOW_SCALE + k] +
+                                  record[TSU_I_SHADOW_OFFSET + k]);
+        all += amount;
     }
     sum[0] += weight * front;
     sum[1] += weight * fmaxf(all - front, 0.0f);
@@ -190,6 +191,6 @@ void tsu_i_shadow_read(const tsu_hair_shadow_plan *plan, const float *texels,
     const float column = floorf(x), line = floorf(y), fx = x - column, fy = y - line;
     memset(shadow, 0, sizeof none);
     for (int i = 0; i < 4; i++)
-        tap(&map, (int)column + (i & 1), (int)line + (i >> 1), distance,
+        tap(&map, column + (float)(i & 1), line + (float)(i >> 1), distance,
             (i & 1 ? fx : 1.0f - fx) * (i >> 1 ? fy : 1.0f - fy), shadow);
 }

@@ -45,8 +45,8 @@ static const double widest = 4.0;
 static struct view look(const tsu_hair_shadow_desc *desc)
 {
     struct view view = {.point = (desc->flags & TSU_HAIR_SHADOW_POINT) != 0};
-    // A little wider than the sphere: fibres have a width, and taps reach past the last texel.
-    const double radius = 1.02 * (double)desc->radius;
+    // A little deeper than the sphere: fibres have a width.
+    const double radius = 1.02 * (double)desc->radius, across = (double)desc->radius;
     double way[3];
     for (int i = 0; i < 3; i++)
         way[i] = view.point ? (double)desc->centre[i] - (double)desc->light[i]
@@ -57,8 +57,8 @@ static struct view look(const tsu_hair_shadow_desc *desc)
     if (view.point) {
         for (int i = 0; i < 3; i++)
             view.eye[i] = (double)desc->light[i];
-        const double outside = distance * distance - radius * radius;
-        const double tangent = outside > 0.0 ? radius / sqrt(outside) : 2.0 * widest;
+        const double outside = distance * distance - across * across;
+        const double tangent = outside > 0.0 ? across / sqrt(outside) : 2.0 * widest;
         view.partial = tangent > widest;
         view.half = view.partial ? widest : tangent;
         view.near = fmax(distance - radius, 0.01 * radius);
@@ -67,9 +67,9 @@ static struct view look(const tsu_hair_shadow_desc *desc)
     } else {
         for (int i = 0; i < 3; i++)
             view.eye[i] = (double)desc->centre[i] - radius * view.ahead[i];
-        view.half = radius;
+        view.half = across;
         view.far = 2.0 * radius;
-        view.width = 2.0 * radius;
+        view.width = 2.0 * across;
     }
     return view;
 }
@@ -146,11 +146,15 @@ static void put_layers(const struct tsu_i_shadow_params *params, double depth,
     }
 }
 
+// Texels at both sides together into which no fibre of the sphere reaches: a read outside of the map
+// is clamped to them.
+static const double border = 3.0;
+
 static uint32_t chosen_size(const tsu_hair_shadow_desc *desc, double width, double texel)
 {
     if (desc->size)
         return desc->size;
-    const double size = texel > 0.0 ? ceil(width / texel) : 0.0;
+    const double size = texel > 0.0 ? ceil(width / texel) + border : 0.0;
     return size < desc->least_size  ? desc->least_size
            : size > desc->most_size ? desc->most_size
                                     : (uint32_t)size;
@@ -159,7 +163,7 @@ static uint32_t chosen_size(const tsu_hair_shadow_desc *desc, double width, doub
 void tsu_i_shadow_plan(const tsu_hair_shadow_desc *desc, const struct tsu_i_shadow_params *params,
                        tsu_hair_shadow_plan *plan)
 {
-    const struct view view = look(desc);
+    struct view view = look(desc);
     const double radius = (double)desc->radius;
     const double sphere = 4.18879020478639 * radius * radius * radius;
     const double volume = desc->volume > 0.0f ? (double)desc->volume : 0.15 * sphere;
@@ -170,6 +174,9 @@ void tsu_i_shadow_plan(const tsu_hair_shadow_desc *desc, const struct tsu_i_shad
     plan->flags = (empty ? TSU_HAIR_SHADOW_EMPTY : 0u) |
                   (view.partial ? TSU_HAIR_SHADOW_PARTIAL : 0u);
     plan->size = chosen_size(desc, view.width, (double)params->spacings * spacing);
+    const double wider = plan->size / (plan->size - border);
+    view.half *= wider;
+    view.width *= wider;
     plan->spacing = (float)spacing;
     plan->texel = (float)(view.width / plan->size);
     plan->near_plane = (float)view.near;
