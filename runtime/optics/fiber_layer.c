@@ -6,15 +6,20 @@
 #include <math.h>
 #include <string.h>
 
-enum { THETAS = TSU_I_LAYER_THETAS, MOST = TSU_I_LAYER_AZIMUTHS + 1 };
+enum { MOST_THETAS = TSU_I_LAYER_THETAS_MOST, MOST = TSU_I_LAYER_AZIMUTHS + 1 };
 static const double step = TSU_I_PI / 36.0;
 // Small beside every other weight, so that the normal's node takes part in no balance.
 static const double normal_weight = 1e-12;
 
+size_t tsu_i_layer_wide_doubles(int thetas, int azimuths)
+{
+    const size_t n = (size_t)thetas * (size_t)(azimuths + 1);
+    return 7 * n * n;
+}
+
 size_t tsu_i_layer_doubles(int azimuths)
 {
-    const size_t n = (size_t)THETAS * (size_t)(azimuths + 1);
-    return 7 * n * n;
+    return tsu_i_layer_wide_doubles(TSU_I_LAYER_THETAS, azimuths);
 }
 
 // Gauss-Legendre nodes on [0, pi/2], by Newton's method.
@@ -44,14 +49,14 @@ static void azimuth_nodes(int count, double *phi, double *weight)
 static void event_columns(struct tsu_i_layer *layer, const struct tsu_i_strand *strand, int in,
                           const double *weight)
 {
-    const int azimuths = layer->azimuths + 1, n = layer->size;
+    const int thetas = layer->thetas, azimuths = layer->azimuths + 1, n = layer->size;
     const double theta = -layer->theta[in]; // the fixed direction's
     const int split = strand->kind != TSU_I_STRAND_DEON && strand->kind != TSU_I_STRAND_GAUSSIAN;
-    double c[TSU_I_FIBER_ORDERS][TSU_I_LOBES], share[TSU_I_LOBES][THETAS];
+    double c[TSU_I_FIBER_ORDERS][TSU_I_LOBES], share[TSU_I_LOBES][MOST_THETAS];
     const int orders = tsu_i_fiber_orders(strand->beta_az);
     double whole[TSU_I_LOBES] = {0};
     for (int p = 0; p < strand->lobes; p++)
-        for (int t = 0; t < THETAS; t++) {
+        for (int t = 0; t < thetas; t++) {
             share[p][t] = tsu_i_strand_lobe(strand, p, theta, layer->theta[t]);
             whole[p] += share[p][t];
         }
@@ -66,7 +71,7 @@ static void event_columns(struct tsu_i_layer *layer, const struct tsu_i_strand *
     for (int a = 0; a < azimuths; a++) {
         const int column = in * azimuths + a;
         double sum = 0.0;
-        for (int t = 0; t < THETAS; t++) {
+        for (int t = 0; t < thetas; t++) {
             if (split)
                 tsu_i_fiber_cosines(strand->eta, 0.5 * (layer->theta[t] - theta), strand->sigma_a,
                                     strand->beta_az, orders, c);
@@ -100,23 +105,30 @@ static void event_columns(struct tsu_i_layer *layer, const struct tsu_i_strand *
 void tsu_i_layer_begin(struct tsu_i_layer *layer, const struct tsu_i_strand *strand, double centre,
                        int azimuths, double *memory)
 {
+    tsu_i_layer_wide_begin(layer, strand, centre, TSU_I_LAYER_THETAS, azimuths, memory);
+}
+
+void tsu_i_layer_wide_begin(struct tsu_i_layer *layer, const struct tsu_i_strand *strand,
+                            double centre, int thetas, int azimuths, double *memory)
+{
     double weight[MOST];
+    layer->thetas = thetas;
     layer->azimuths = azimuths;
-    layer->size = THETAS * (azimuths + 1);
+    layer->size = thetas * (azimuths + 1);
     layer->tau = 0.0;
     const size_t entries = (size_t)layer->size * (size_t)layer->size;
     double **const matrices[] = {&layer->forward, &layer->backward, &layer->through, &layer->back,
                                  &layer->work[0], &layer->work[1],  &layer->work[2]};
     for (size_t i = 0; i < sizeof matrices / sizeof *matrices; i++)
         *matrices[i] = memory + i * entries;
-    // -75 .. 75 degrees and less than half a step off, so that `centre` is a node.
+    // Even steps about 0 and less than half a step off, so that `centre` is a node.
     const double offset = centre - step * floor(centre / step + 0.5);
-    for (int t = 0; t < THETAS; t++)
-        layer->theta[t] = step * (t - THETAS / 2) + offset;
+    for (int t = 0; t < thetas; t++)
+        layer->theta[t] = step * (t - thetas / 2) + offset;
     azimuth_nodes(azimuths, layer->phi, weight);
     layer->phi[azimuths] = 0.0;
     weight[azimuths] = normal_weight;
-    for (int t = 0; t < THETAS; t++)
+    for (int t = 0; t < thetas; t++)
         event_columns(layer, strand, t, weight);
 }
 
@@ -185,7 +197,7 @@ void tsu_i_layer_slab(const struct tsu_i_strand *strand, double theta, double ta
     for (int i = 0; i < doublings; i++)
         tsu_i_layer_double(&layer);
     int node = 0;
-    for (int t = 1; t < THETAS; t++)
+    for (int t = 1; t < layer.thetas; t++)
         if (fabs(layer.theta[t] + theta) < fabs(layer.theta[node] + theta))
             node = t;
     tsu_i_layer_powers(&layer, node, reflectance, transmittance);
