@@ -186,6 +186,13 @@ int command_bake(int argc, char **argv)
         (arguments.has("--block") && !target_is_plain(arguments.get("--block"), error))) {
         return complain("bake", error, exit_bad_input);
     }
+    tsu_model_info info;
+    tsu_model_info_init(&info);
+    tsu_model_describe(model, &info);
+    if (info.flags & TSU_MODEL_SHADOW) {
+        return complain("bake", std::string(info.name) + " casts shadow: it has nothing to bake.",
+                        exit_bad_input);
+    }
     if (std::filesystem::path(arguments.get("-o")).lexically_normal() ==
         std::filesystem::path(arguments.get("--block")).lexically_normal()) {
         return complain("bake", "-o and --block name the same file.", exit_bad_input);

@@ -57,8 +57,9 @@ def table(text):
     return rows[0], rows[1:]
 
 
-def models():
-    return json.loads(output('models', '--json'))['models']
+def models(kind='fibre'):
+    """Records of the models that shade a fibre, or of the techniques of self-shadow."""
+    return [m for m in json.loads(output('models', '--json'))['models'] if m['kind'] == kind]
 
 
 AZIMUTHAL = ('eval', 'hair-azimuthal', '--on', 'reference')

@@ -75,14 +75,15 @@ def models_list_everything():
 @case
 def every_text_compiles_on_every_target():
     names = [model['name'] for model in models()]
+    shadows = [model['name'] for model in models('shadow')]
     tail = '\nlayout(location = 0) out vec4 host;\nvoid main()\n{\n    host = vec4(1.0);\n}\n'
     versions = {'330': '330 core', '410': '410 core', '450': '450 core', '300es': '300 es',
                 '310es': '310 es', 'vulkan': '450'}
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder, 'text.frag')
-        for asked in [*names, ','.join(names)]:
+        for asked in [*names, ','.join(names), *shadows, ','.join([*names, *shadows])]:
             for target in TARGETS:
-                for harness in (False, True):
+                for harness in (False, True)[:1 if shadows[-1] in asked or asked in shadows else 2]:
                     words = ['--harness'] if harness else []
                     text = output('glsl', asked, '--target', target, *words)
                     expect(('#version' in text) == harness and ('void main' in text) == harness,
@@ -95,6 +96,44 @@ def every_text_compiles_on_every_target():
                     done = subprocess.run(['glslangValidator', *vulkan, str(path)], check=False,
                                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
                     expect(done.returncode == 0, f'{asked} {target}: {done.stdout.decode()}')
+
+
+@case
+def shadows_are_no_fibres():
+    names = [model['name'] for model in models('shadow')]
+    expect(names == ['deep_opacity', 'opacity_shadow'], str(names))
+    with tempfile.TemporaryDirectory() as folder:
+        for name in names:
+            refused(['glsl', name, '--target', '330', '--harness'], None, 'harness')
+            refused(['bake', name, '-o', folder + '/t.exr'], None, name)
+            refused(['render', 'straight-brown', 'model=' + name, '-o', folder + '/t.png'], None,
+                    name, 'marschner')
+        refused(['glsl', 'deep_opcity', '--target', '330'], None, 'deep_opacity')
+
+
+@case
+def shadow_maps_are_drawn():
+    """Maps, the grid and no shadow: three pictures, and the maps' size in the words."""
+    light = {}
+    with tempfile.TemporaryDirectory() as folder:
+        for shadow in ('deep_opacity', 'opacity_shadow', 'grid', 'none'):
+            said = output('render', 'straight-brown', 'strands=400', 'width_scale=60', 'dome=0',
+                          'dome.samples=1', 'shadow=' + shadow, 'shadow.layers=6',
+                          'shadow.size=96', '--size', '48x48', '-o', folder + '/t.png')
+            light[shadow] = float(said.split('hair luminance')[1].split(',')[0])
+            expect(('96x96, 6 layers' in said) == (shadow in ('deep_opacity', 'opacity_shadow')),
+                   said)
+        # Maps that cannot be: one line, and the grid.
+        done = run('render', 'straight-brown', 'strands=400', 'width_scale=60', 'dome=0',
+                   'dome.samples=1', 'shadow=deep_opacity', 'shadow.size=5', '--size', '48x48',
+                   '-o', folder + '/t.png')
+        said = done.stderr.decode()
+        expect(done.returncode == 0 and said.count('\n') == 1 and 'grid' in said, said)
+        same = float(done.stdout.decode().split('hair luminance')[1].split(',')[0])
+        expect(same == light['grid'], f'{same} {light}')
+    expect(light['none'] > 1.5 * light['grid'], str(light))
+    for shadow in ('deep_opacity', 'opacity_shadow'):
+        expect(0.5 * light['grid'] < light[shadow] < 2.0 * light['grid'], str(light))
 
 
 @case
