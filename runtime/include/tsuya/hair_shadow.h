@@ -28,6 +28,11 @@
 //   tsu_hair_shadow_transmittance(t)       a transmittance of the host's own
 //   tsu_hair_shadow_none()                 no shadow
 //
+// Cost beside the fetches (clocks of navi21 as in tests/bench, all four results): 430 and 320 for
+// deep opacity with 8 and 4 layers, 350 and 260 for opacity shadow; a result that is not used is
+// not paid for: 330 and 250 for the transmittance alone. Memory: 4 bytes of depth and 8 or 16 bytes
+// of half floats a texel and light.
+//
 // A number behind that nobody knows is TSU_HAIR_SHADOW_UNKNOWN: hair beyond the point is thick.
 // Models that take `front`, `behind` and `direct` as extra inputs (model.h) get them as they are
 // and are not multiplied by anything; the others are multiplied by `transmittance`.
