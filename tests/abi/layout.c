@@ -44,6 +44,27 @@ AT(tsu_hair_preset_info, eumelanin, 16);
 AT(tsu_hair_preset_info, pheomelanin, 24);
 AT(tsu_hair_preset_info, sigma_a, 32);
 
+SIZE(tsu_hair_head_desc, 32);
+AT(tsu_hair_head_desc, struct_size, 0);
+AT(tsu_hair_head_desc, flags, 4);
+AT(tsu_hair_head_desc, eta, 8);
+AT(tsu_hair_head_desc, alpha_R, 12);
+AT(tsu_hair_head_desc, beta_R, 16);
+AT(tsu_hair_head_desc, beta_az, 20);
+AT(tsu_hair_head_desc, scale_shifts, 24);
+AT(tsu_hair_head_desc, reserved, 28);
+
+SIZE(tsu_hair_head_curve, 168);
+AT(tsu_hair_head_curve, struct_size, 0);
+AT(tsu_hair_head_curve, flags, 4);
+AT(tsu_hair_head_curve, eta, 8);
+AT(tsu_hair_head_curve, alpha_R, 12);
+AT(tsu_hair_head_curve, beta_R, 16);
+AT(tsu_hair_head_curve, beta_az, 20);
+AT(tsu_hair_head_curve, scale_shifts, 24);
+AT(tsu_hair_head_curve, reserved, 28);
+AT(tsu_hair_head_curve, albedo, 32);
+
 SIZE(tsu_hair_shadow_desc, 96);
 AT(tsu_hair_shadow_desc, struct_size, 0);
 AT(tsu_hair_shadow_desc, flags, 4);
@@ -288,6 +309,7 @@ IS(TSU_SHADER_ARRAY, 1);
 IS(TSU_SHADER_PROBE, 2);
 IS(TSU_SHADER_HARNESS, 4);
 IS(TSU_MODEL_SHADOW, 1);
+IS(TSU_HAIR_HEAD_NODES, 17);
 IS(TSU_HAIR_SHADOW_LAYERS, 8);
 IS(TSU_HAIR_SHADOW_RECORD_VEC4, 12);
 IS(TSU_HAIR_SHADOW_UNKNOWN, 1000);

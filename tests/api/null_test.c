@@ -33,6 +33,21 @@ static void contexts_and_colours(void **state)
     FAILS(tsu_hair_albedo(a.context, 1.5, rgb, NULL));
     FAILS(tsu_hair_sigma_a(a.context, 1.5, NULL, rgb));
     FAILS(tsu_hair_sigma_a(a.context, 1.5, rgb, NULL));
+    tsu_hair_head_desc head;
+    tsu_hair_head_curve curve;
+    FAILS(tsu_hair_head_desc_init_sized(NULL, sizeof head));
+    assert_int_equal(tsu_hair_head_desc_init(&head), TSU_OK);
+    assert_int_equal(tsu_hair_head_curve_init(&curve), TSU_OK);
+    FAILS(tsu_hair_head_curve_solve(NULL, &head, &curve));
+    FAILS(tsu_hair_head_curve_solve(a.context, NULL, &curve));
+    FAILS(tsu_hair_head_curve_solve(a.context, &head, NULL));
+    assert_int_equal(tsu_hair_head_curve_solve(a.context, &head, &curve), TSU_OK);
+    FAILS(tsu_hair_head_albedo(a.context, NULL, rgb, rgb));
+    FAILS(tsu_hair_head_albedo(a.context, &curve, NULL, rgb));
+    FAILS(tsu_hair_head_albedo(a.context, &curve, rgb, NULL));
+    FAILS(tsu_hair_head_sigma_a(a.context, NULL, rgb, rgb));
+    FAILS(tsu_hair_head_sigma_a(a.context, &curve, NULL, rgb));
+    FAILS(tsu_hair_head_sigma_a(a.context, &curve, rgb, NULL));
     FAILS(tsu_hair_preset(0, NULL));
     FAILS(tsu_info_init_sized(NULL, 64));
     // Without a context there is no logger; good and bad values still return.
@@ -40,6 +55,7 @@ static void contexts_and_colours(void **state)
     FAILS(tsu_hair_melanin(NULL, -1, 1, rgb));
     FAILS(tsu_hair_albedo(NULL, 9, rgb, rgb));
     FAILS(tsu_hair_sigma_a(NULL, 9, rgb, rgb));
+    FAILS(tsu_hair_head_sigma_a(NULL, &curve, rgb, rgb)); // rgb is 0 by now
     ask_close(&a);
 }
 

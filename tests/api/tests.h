@@ -7,5 +7,6 @@ int input_tests(void);
 int model_tests(void);
 int null_tests(void);
 int color_tests(void);
+int head_tests(void);
 
 #endif
