@@ -28,13 +28,14 @@ Manual manual()
         "\n"
         "Keys are the model's parameters (tsuya models MODEL). Angles are radians under their\n"
         "name and degrees with _deg: beta_R=0.13 or beta_R_deg=7.5. Colours are r,g,b or one\n"
-        "number. Absorption can be said in one of four ways:\n"
+        "number. Absorption can be said in one of five ways:\n"
         "  sigma_a=r,g,b              per fibre radius, linear Rec. 709\n"
         "  eumelanin=X pheomelanin=Y  pigments\n"
         "  color=NAME                 " +
             joined(preset_names()) +
             "\n"
             "  albedo=r,g,b               of one fibre\n"
+            "  head_albedo=r,g,b          of thick hair: the colour that is seen\n"
             "\n"
             "The ending of FILE chooses the format:\n"
             "  .exr  float channels R, G, B, A; first row of the texture first\n"

@@ -4,6 +4,8 @@
 #include "function.h"
 #include "number.h"
 
+#include "../scene/head.h"
+
 #include <tsuya/hair_color.h>
 
 #include <algorithm>
@@ -98,7 +100,7 @@ std::vector<std::string> Material::keys() const
         }
     }
     if (find("sigma_a")) {
-        keys.insert(keys.end(), {"eumelanin", "pheomelanin", "color", "albedo"});
+        keys.insert(keys.end(), {"eumelanin", "pheomelanin", "color", "albedo", "head_albedo"});
     }
     return keys;
 }
@@ -216,6 +218,9 @@ bool Material::finish(std::string &error)
         tsu_hair_preset_info_init(&info);
         tsu_hair_preset(std::uint32_t(found - names.begin()), &info);
         std::copy(info.sigma_a, info.sigma_a + 3, sigma_a);
+    } else if (given_.count("head_albedo")) {
+        status = scene::head_sigma_a(host_.context(), scene::head_fibre(model_, storage_.data()),
+                                     albedo_.data(), sigma_a);
     } else if (!albedo_.empty()) {
         const tsu_parameter_info *const eta = find("eta");
         float index = 1.55f;

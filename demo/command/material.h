@@ -16,8 +16,9 @@ namespace tsuya::command {
 //
 // Keys are parameter names. Angles take radians under their name and degrees under their name with
 // "_deg". A colour takes three numbers, r,g,b, or one for all. Where the model has an absorption
-// sigma_a, it can also be said by `eumelanin` and `pheomelanin`, by `color` (a preset's name) or by
-// `albedo` (of one fibre; r,g,b or one). Every key may be given once, and absorption in one way.
+// sigma_a, it can also be said by `eumelanin` and `pheomelanin`, by `color` (a preset's name), by
+// `albedo` (of one fibre; r,g,b or one) or by `head_albedo` (of thick hair). Every key may be given
+// once, and absorption in one way.
 class Material
 {
   public:
@@ -28,7 +29,7 @@ class Material
     // out of range (with the range in the unit of the key), said twice.
     bool set(const std::string &word, std::string &error);
 
-    // Turns pigments, preset or albedo into sigma_a and lets the library check the whole.
+    // Turns pigments, preset or albedos into sigma_a and lets the library check the whole.
     bool finish(std::string &error);
 
     void *params();
@@ -48,7 +49,7 @@ class Material
     std::vector<tsu_parameter_info> parameters_;
     std::set<std::string> given_;
     double eumelanin_ = 0, pheomelanin_ = 0;
-    std::vector<double> albedo_;
+    std::vector<double> albedo_; // of what the key given says
     std::string preset_;
 };
 

@@ -1,6 +1,7 @@
 #include "scene/build.h"
 
 #include "groom/read.h"
+#include "scene/head.h"
 
 #include <tsuya/hair_color.h>
 
@@ -65,6 +66,7 @@ struct Library {
                 static_cast<Library *>(user)->message = text;
             }
         };
+        desc.jobs = all_cores;
         tsu_context_create(&desc, &context);
     }
     ~Library()
@@ -87,13 +89,18 @@ struct Library {
     std::string message;
 };
 
-tsu_status color(const Scene &scene, tsu_context *context, double eta, double sigma_a[3])
+tsu_status color(const Scene &scene, tsu_context *context, double eta, const Material &material,
+                 double sigma_a[3])
 {
     if (scene.color_by == ColorBy::melanin) {
         return tsu_hair_melanin(context, scene.eumelanin, scene.pheomelanin, sigma_a);
     }
     if (scene.color_by == ColorBy::albedo) {
         return tsu_hair_sigma_a(context, eta, &scene.albedo.x, sigma_a);
+    }
+    if (scene.color_by == ColorBy::head_albedo) {
+        return head_sigma_a(context, head_fibre(material.model, material.params.data()),
+                            &scene.head_albedo.x, sigma_a);
     }
     if (scene.color_by == ColorBy::sigma_a) {
         for (int c = 0; c < 3; c++) {
@@ -179,7 +186,7 @@ Expected<Material> material(const Scene &scene)
             eta = given != scene.parameters.end() ? given->second.x : p.default_value;
         }
     }
-    tsu_status status = color(scene, library.context, eta, &result.sigma_a.x);
+    tsu_status status = color(scene, library.context, eta, result, &result.sigma_a.x);
     if (status == TSU_OK) {
         status = tsu_hair_albedo(library.context, eta, &result.sigma_a.x, &result.albedo.x);
     }

@@ -32,7 +32,8 @@ struct Material {
     glm::dvec3 albedo{1.0};               // of one fibre of that colour
 };
 
-// Errors: a parameter out of the model's range; an albedo that no pigment gives.
+// Errors: a parameter out of the model's range; an albedo, of fibre or head, that no pigment
+// gives.
 Expected<Material> material(const Scene &scene);
 
 // Lights of a scene: those of its rig and its own.

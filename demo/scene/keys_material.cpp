@@ -124,6 +124,10 @@ void add_material_keys(std::vector<Key> &keys)
                            "of one fibre, above its surface reflection (0.099 at eta 1.55); in "
                            "place of color"),
                 ColorBy::albedo),
+        colored(triple_key("material", "head_albedo", &Scene::head_albedo, 0.0, 1.0,
+                           "of thick hair: the colour that is seen, above what surfaces reflect "
+                           "(0.013 with default fibres); in place of color"),
+                ColorBy::head_albedo),
     };
     keys.insert(keys.end(), fixed.begin(), fixed.end());
     add_parameters(keys);

@@ -32,6 +32,8 @@ const char *color_name(ColorBy by)
         return "eumelanin and pheomelanin";
     case ColorBy::albedo:
         return "albedo";
+    case ColorBy::head_albedo:
+        return "head_albedo";
     }
     return "";
 }
@@ -39,7 +41,7 @@ const char *color_name(ColorBy by)
 bool gives_color(const std::string &name)
 {
     return name == "color" || name == "sigma_a" || name == "eumelanin" || name == "pheomelanin" ||
-           name == "albedo";
+           name == "albedo" || name == "head_albedo";
 }
 
 // Reads keys one by one and remembers which it has seen.

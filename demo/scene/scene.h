@@ -34,7 +34,7 @@ struct SceneLight {
 };
 
 // Which key gave the hair's colour.
-enum class ColorBy { preset, sigma_a, melanin, albedo };
+enum class ColorBy { preset, sigma_a, melanin, albedo, head_albedo };
 
 // A scene as its keys say it; each field is the key of its name (camera_fov: camera.fov_deg).
 struct Scene {
@@ -57,6 +57,7 @@ struct Scene {
     std::string color = "brown";
     glm::dvec3 sigma_a{0.0};
     glm::dvec3 albedo{0.5};
+    glm::dvec3 head_albedo{0.3, 0.2, 0.1};
     double eumelanin = 0.0;
     double pheomelanin = 0.0;
 

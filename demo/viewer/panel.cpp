@@ -3,6 +3,8 @@
 #include <tsuya/hair_color.h>
 #include <tsuya/model.h>
 
+#include <glm/common.hpp>
+#include <glm/gtc/color_space.hpp>
 #include <imgui.h>
 
 #include <cstring>
@@ -91,6 +93,14 @@ void colors(scene::Scene &scene)
     const bool red = slide("pheomelanin", scene.pheomelanin, 0.0, 10.0);
     if (dark || red) {
         scene.color_by = scene::ColorBy::melanin;
+    }
+    // The wheel shows sRGB; an albedo is linear. No pigment makes hair blacker than its surfaces.
+    const glm::vec3 seen = glm::convertLinearToSRGB(glm::vec3(scene.head_albedo));
+    float wheel[3] = {seen.x, seen.y, seen.z};
+    if (ImGui::ColorEdit3("of the head", wheel, ImGuiColorEditFlags_Float)) {
+        const glm::vec3 linear = glm::convertSRGBToLinear(glm::vec3(wheel[0], wheel[1], wheel[2]));
+        scene.head_albedo = glm::clamp(glm::dvec3(linear), 0.035, 1.0);
+        scene.color_by = scene::ColorBy::head_albedo;
     }
     slide("variation", scene.variation, 0.0, 1.0);
 }

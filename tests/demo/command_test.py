@@ -309,6 +309,8 @@ def bake_refuses_bad_keys_and_writes_nothing():
                ('etta=1.5', 'did you mean eta'), ('eta', 'key=value'), ('eta=', 'not a number'),
                ('sigma_a=1,2', 'one or three'), ('sigma_a=-1', 'outside'),
                ('color=brwn', 'did you mean brown'), ('albedo=2', 'albedo'),
+               ('head_albedo=1.1', 'head_albedo'), ('head_albedo=0.013', '(0.01323'),
+               ('head_albedo=nan', 'head_albedo'), ('head_albedo=0.1,0.2', 'one or three'),
                ('eumelanin=1,2', 'one number'), ('alpha_R=99', 'outside'))
         for word, part in bad:
             refused(['bake', 'marschner', word, '-o', path], None, part)

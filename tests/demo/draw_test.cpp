@@ -70,6 +70,9 @@ void refuses_bad_scenes(void **)
     refuse("sigma_a=1,2,3,4", {"sigma_a"});
     refuse("sigma_a=1,2,-3", {"sigma_a", "-3"});
     refuse("albedo=0.5,0.5,1.5", {"albedo", "1.5", "[0, 1]"});
+    refuse("head_albedo=0.5,-0.1,0.5", {"head_albedo", "-0.1", "[0, 1]"});
+    refuse("head_albedo=0.5", {"head_albedo", "three numbers"});
+    refuse("head_albedo=0.5,0.5,0.5\nalbedo=0.5,0.5,0.5", {"line 2", "head_albedo", "albedo"});
     refuse("color=brown\nsigma_a=1,1,1", {"line 2", "color", "sigma_a"});
     refuse("eumelanin=1\nalbedo=0.5,0.5,0.5", {"eumelanin", "albedo"});
     refuse("eta=3", {"eta", "[1.2, 2]"});
