@@ -3,11 +3,12 @@
 //
 // Source and meaning of k, r and the shares: runtime/optics/two_stream.h.
 
-// Texture coordinates of the absorptions of three channels in the table "fields".
-//   place  origin x, origin y, extent x, extent y of a band, from texel centre to texel centre
+// Texture coordinates of the absorptions of three channels in the table "fields": 13 octaves of
+// sigma_a + 0.004 up to 32.768.
+//   place  record 6
 vec3 tsu_dual_scattering_columns(vec4 place, vec3 sigma_a)
 {
-    return clamp(log2(sigma_a * 250.0 + 1.0) * (1.0 / 13.0), 0.0, 1.0) * place.z + place.x;
+    return log2(clamp(sigma_a * (250.0 / 8192.0) + 1.0 / 8192.0, 0.0, 1.0)) * place.z + place.x;
 }
 
 // k, r, and the shares that the first event sends back and on; one channel each in x, y, z.

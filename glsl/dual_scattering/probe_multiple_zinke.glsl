@@ -26,11 +26,12 @@ void tsu_probe(int material, float x[16], out float y[8])
     }
     vec4 place = TSU_RECORD(material, 6);
     vec4 spread = TSU_RECORD(material, 7);
-    float u = tsu_dual_scattering_columns(place, sigma_a).x - place.x;
-    y[0] = exp2(textureLod(tsu_tables, vec2(u + place.x, cos(x[0]) * place.w + place.y +
-                                            place.w * 1.03226139), 0.0).x);
-    y[1] = textureLod(tsu_tables, vec2(u * (spread.z / place.z) + spread.x,
-                                       cos(x[0]) * place.w + spread.w), 0.0).w;
+    float x_fields = tsu_dual_scattering_columns(place, sigma_a).x;
+    float u = (x_fields - place.x) / place.z / 13.0 + 1.0;
+    y[0] = exp2(textureLod(tsu_tables, vec2(x_fields, cos(x[0]) * place.w + place.y +
+                                                          place.w * 1.03226139), 0.0).x);
+    y[1] = textureLod(tsu_tables, vec2(u * spread.z + spread.x, cos(x[0]) * place.w + spread.w),
+                      0.0).w;
     y[2] = back * (6.28318531 / float(AZIMUTHS)) * (3.14159265 / float(INCLINATIONS));
     y[3] = behind / all;
 }

@@ -47,7 +47,8 @@ tsu_dual_scattering_lobes tsu_dual_scattering_zinke_eval(int material, vec3 t, v
     float cos_phi = clamp((dot(l, v) - products.z) / products.x, -1.0, 1.0);
 
     vec3 columns = tsu_dual_scattering_columns(place, sigma_a);
-    vec3 moments = (columns - place.x) * (spread.z / place.z) + spread.x;
+    // 13 octaves of the one table over the other's columns.
+    vec3 moments = ((columns - place.x) / place.z + 13.0) * (spread.z / 13.0) + spread.x;
     float y = cos_r * place.w + place.y;
     float band = place.w * 1.03226139; // 32 rows of a band over the 30.9999 of its extent
     tsu_dual_scattering_lobes lobes;

@@ -15,8 +15,8 @@ tsu_status tsu_model_describe(const tsu_model *model, tsu_model_info *out)
                  : tsu_i_desc_fail(out, TSU_E_PARAMETER);
 }
 
-#define DESCRIBE(model, index, count, entry, out)                                                 \
-    ((model) && (index) < (count) ? tsu_i_desc_write(out, entry, sizeof *(entry))               \
+#define DESCRIBE(model, index, count, entry, out)                                                  \
+    ((model) && (index) < (count) ? tsu_i_desc_write(out, entry, sizeof *(entry))                  \
                                   : tsu_i_desc_fail(out, TSU_E_PARAMETER))
 
 tsu_status tsu_model_parameter(const tsu_model *model, uint32_t index, tsu_parameter_info *out)
@@ -95,11 +95,23 @@ tsu_status tsu_function_params(tsu_context *context, const tsu_model *model, uin
 tsu_status tsu_function_reference(tsu_context *context, const tsu_model *model, uint32_t function,
                                   const double *in, double *out)
 {
-    const tsu_status status = out ? tsu_i_inputs_check(context, model, function, in)
-                                  : TSU_E_PARAMETER;
-    if (status == TSU_OK)
-        model->functions[function].reference(in, out);
-    else
+    const tsu_status status =
+        out ? tsu_i_inputs_check(context, model, function, in) : TSU_E_PARAMETER;
+    if (status != TSU_OK) {
         tsu_i_outputs_zero(model, function, out);
-    return status;
+        return status;
+    }
+    const struct tsu_i_function *f = model->functions + function;
+    if (!f->scratch_bytes) {
+        f->reference(in, out);
+        return TSU_OK;
+    }
+    void *scratch = context ? tsu_i_alloc(context, f->scratch_bytes, 1) : NULL;
+    if (!scratch) {
+        tsu_i_outputs_zero(model, function, out);
+        return context ? TSU_E_MEMORY : TSU_E_PARAMETER;
+    }
+    f->solved(in, scratch, out);
+    tsu_i_free(context, scratch, f->scratch_bytes, 1);
+    return TSU_OK;
 }

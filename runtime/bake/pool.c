@@ -126,7 +126,7 @@ static void bake_unit(void *data, uint32_t job)
     const struct tsu_i_pool_table *t = bake->pool->tables + bake->stale[i];
     const struct tsu_i_table *d = t->definition;
     const uint32_t rows = d->info.height / d->units, pitch = d->info.width * 4;
-    float local[4 * 4 * TSU_CELL];
+    float local[4 * 8 * TSU_CELL];
     d->bake(t->state, unit, d->scratch_bytes ? bake->scratch[i] + unit * d->scratch_bytes : NULL,
             local);
     for (uint32_t r = 0; r < rows; r++)

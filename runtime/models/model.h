@@ -28,7 +28,7 @@ struct tsu_i_table {
     // The parameters that shape the table, copied out of the state: equal bytes, equal table.
     size_t key_offset, key_size;
     // A unit of work: rows unit, unit + units, unit + 2 units, ... one after the other in `texels`,
-    // each of `info.width` texels of four floats. `scratch`: room of scratch_bytes of the unit's own,
+    // each of `info.width` texels of four floats, at most 8 TSU_CELL of them. `scratch`: room of scratch_bytes of the unit's own,
     // aligned for double.
     uint32_t units;
     size_t scratch_bytes;
@@ -51,6 +51,9 @@ struct tsu_i_function {
     // Material parameters out of checked inputs, over initialised `params`.
     void (*params)(const double *in, void *params);
     void (*reference)(const double *in, double *out);
+    // Instead of `reference` where it needs room: scratch_bytes, aligned for double; 0: it does not.
+    size_t scratch_bytes;
+    void (*solved)(const double *in, void *scratch, double *out);
     // As the shader, in float, from the baked tables and the record; NULL: reference only.
     void (*sampled)(const void *state, const float *record, const struct tsu_i_texels *tables,
                     const double *in, double *out);

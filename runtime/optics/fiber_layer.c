@@ -192,7 +192,7 @@ void tsu_i_layer_slab(const struct tsu_i_strand *strand, double theta, double ta
     int doublings = 0;
     while (ldexp(depth, -doublings) > TSU_I_LAYER_THIN)
         doublings++;
-    tsu_i_layer_begin(&layer, strand, -theta, azimuths, memory);
+    tsu_i_layer_wide_begin(&layer, strand, -theta, TSU_I_LAYER_THETAS_MOST, azimuths, memory);
     tsu_i_layer_thin(&layer, ldexp(depth, -doublings));
     for (int i = 0; i < doublings; i++)
         tsu_i_layer_double(&layer);

@@ -61,7 +61,7 @@ void tsu_i_layer_powers(const struct tsu_i_layer *layer, int t, double *reflecta
                         double *transmittance);
 
 // Solve a layer of any tau for one fixed direction, as the reference: R, and T with unscattered
-// light. `memory`: tsu_i_layer_doubles(azimuths).
+// light. `memory`: tsu_i_layer_wide_doubles(TSU_I_LAYER_THETAS_MOST, azimuths).
 void tsu_i_layer_slab(const struct tsu_i_strand *strand, double theta, double tau, int azimuths,
                       double *memory, double *reflectance, double *transmittance);
 

@@ -39,5 +39,11 @@ struct tsu_i_strand_columns tsu_i_strand_named(const double columns[5], int name
         TSU_I_MATERIAL("scale_shifts", "1", "shifts of real tilted scales", 0, 1, 0),              \
         TSU_I_MATERIAL("cfg", TSU_I_STRAND_NAMES, "fibre of a published table, over the columns",  \
                        0, 7, 0)
+// And what they ask for.
+#define TSU_I_STRAND_OUTPUTS                                                                       \
+    TSU_I_OUTPUT("af", "1", "share of the light met that goes on"),                                \
+        TSU_I_OUTPUT("ab", "1", "share that comes back"),                                          \
+        TSU_I_OUTPUT("R", "1", "radiance of a slab, the viewer's side lit by unit radiance"),      \
+        TSU_I_OUTPUT("T", "1", "the same, the side beyond lit; unscattered light included")
 
 #endif

@@ -159,7 +159,8 @@ TSU_API tsu_status tsu_function_params(tsu_context *context, const tsu_model *mo
                                        uint32_t function, const double *in, void *params);
 
 // The double-precision reference: `in` has input_count values, `out` gets output_count values.
-// Errors: TSU_E_PARAMETER when an input is not finite or out of range. Threads: any.
+// Errors: TSU_E_PARAMETER when an input is not finite or out of range, or `context` is NULL for a
+// reference that needs room; TSU_E_MEMORY. Threads: any.
 TSU_API tsu_status tsu_function_reference(tsu_context *context, const tsu_model *model,
                                           uint32_t function, const double *in, double *out);
 

@@ -10,10 +10,12 @@
 #include <tsuya/gl.h>
 #include <tsuya/hair_color.h>
 #include <tsuya/hair_shadow.h>
+#include <tsuya/light.h>
 #include <tsuya/models/deep_opacity.h>
 #include <tsuya/models/dual_scattering.h>
 #include <tsuya/models/kajiya_kay.h>
 #include <tsuya/models/marschner.h>
 #include <tsuya/models/opacity_shadow.h>
+#include <tsuya/models/plane_parallel_hair.h>
 
 #endif

@@ -72,11 +72,7 @@ static void zinke_reference(const double *in, double *out)
 }
 
 static const tsu_value_info multiple_inputs[] = {TSU_I_STRAND_INPUTS};
-static const tsu_value_info multiple_outputs[] = {
-    TSU_I_OUTPUT("af", "1", "share of the light met that goes on"),
-    TSU_I_OUTPUT("ab", "1", "share that comes back"),
-    TSU_I_OUTPUT("R", "1", "radiance of a slab with its viewer's side lit by unit radiance"),
-    TSU_I_OUTPUT("T", "1", "the same with the side beyond lit, unscattered light included")};
+static const tsu_value_info multiple_outputs[] = {TSU_I_STRAND_OUTPUTS};
 
 #define MULTIPLE(n, h)                                                                             \
     {                                                                                              \

@@ -131,9 +131,9 @@ static void record(const void *from, const struct tsu_i_place *places, float *ou
     out[19] = state->d_b * 0.42441318f;
     out[22] = state->d_f * 0.42441318f;
     out[23] = (float)SPREAD_ROWS / height;
-    out[24] = ((float)fields->x + 0.5f) / width;
+    out[24] = ((float)fields->x + (float)FIELDS_WIDTH - 0.5f) / width;
     out[25] = ((float)fields->y + 0.5f) / height;
-    out[26] = (float)(FIELDS_WIDTH - 1) / width;
+    out[26] = (float)(FIELDS_WIDTH - 1) / (SIGMA_OCTAVES * width);
     out[27] = DUAL_SPAN(FIELDS_ROWS) / height;
     const float u = tsu_i_dual_material_place(&state->fiber);
     out[28] = ((float)spread->x + 0.5f) / width;

@@ -20,7 +20,8 @@ static float lobe_value(const float lobe[4], const float products[4])
 {
     const float argument = fabsf(lobe[0] * products[0] + lobe[1] * products[1]);
     const float exponent = (lobe[2] - lobe[0] * products[2] + lobe[1] * products[3]) + argument;
-    return exp2f(exponent) / sqrtf(fmaxf(1.4022f * argument - 0.5655f, 0.32316f));
+    return exp2f(exponent) /
+           sqrtf(fmaxf(1.4022f * argument - 0.5655f, 0.5824f * argument + 0.3167f));
 }
 
 static float fiber(const struct tsu_i_dual_slab *m, const struct marschner_view *view)

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Hair lit through solved layers of hair: dual_scattering's shader over another table.
+//
+// Record: as in dual_scattering/eval.glsl, with the places of the table "layer":
+//   6  the same over its fields, 48 rows over sin(theta_r) in [-1, 1]
+//   7  origin x, y of the lobe of light that comes back; extent x of the front axis
+
+tsu_dual_scattering_stream tsu_plane_parallel_hair_at(int material, vec3 t, vec3 v, vec3 sigma_a)
+{
+    vec4 place = TSU_RECORD(material, 6);
+    return tsu_dual_scattering_read(place, tsu_dual_scattering_columns(place, sigma_a),
+                                    0.5 * dot(t, v) + 0.5);
+}
+
+// L_r = Int L_i value dω_i: times radiance and solid angle of the light, no further cosine and no
+// transmittance. Inputs as tsu_dual_scattering_eval; error: see tsuya/models/plane_parallel_hair.h.
+tsu_dual_scattering_lobes tsu_plane_parallel_hair_eval(int material, vec3 t, vec3 l, vec3 v,
+                                                       vec3 sigma_a, float front, float direct)
+{
+    vec2 lobes = tsu_dual_scattering_near_far(material, t, l, v, front);
+    return tsu_dual_scattering_lobes(
+        direct * tsu_marschner_sum(tsu_marschner_eval(material, t, l, v, sigma_a)),
+        tsu_dual_scattering_thick(tsu_plane_parallel_hair_at(material, t, v, sigma_a), front,
+                                  pow(direct, TSU_RECORD(material, 3).w), lobes.x, lobes.y));
+}
+
+// The same with `behind`, the mean number of fibres on the far side of this one, away from the light.
+tsu_dual_scattering_lobes tsu_plane_parallel_hair_finite_eval(int material, vec3 t, vec3 l, vec3 v,
+                                                              vec3 sigma_a, float front,
+                                                              float behind, float direct)
+{
+    vec2 lobes = tsu_dual_scattering_near_far(material, t, l, v, front);
+    return tsu_dual_scattering_lobes(
+        direct * tsu_marschner_sum(tsu_marschner_eval(material, t, l, v, sigma_a)),
+        tsu_dual_scattering_finite(tsu_plane_parallel_hair_at(material, t, v, sigma_a), front,
+                                   behind, pow(direct, TSU_RECORD(material, 3).w), lobes.x,
+                                   lobes.y));
+}
+
+vec3 tsu_plane_parallel_hair_sum(tsu_dual_scattering_lobes lobes)
+{
+    return tsu_dual_scattering_sum(lobes);
+}

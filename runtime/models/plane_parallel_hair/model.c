@@ -1,0 +1,162 @@
+#include "models/plane_parallel_hair/state.h"
+
+#include "models/values.h"
+
+#include <tsuya/models/plane_parallel_hair.h>
+#include <tsuya/models/marschner.h>
+
+#include <string.h>
+
+typedef tsu_plane_parallel_hair_params params;
+
+static const params defaults = {
+    .struct_size = sizeof(params),
+    .eta = 1.55f,
+    .alpha_R = (float)TSU_I_DEGREES(-7.5),
+    .beta_R = (float)TSU_I_DEGREES(7.5),
+    .beta_az = (float)TSU_I_DEGREES(10),
+    .sigma_a = {0.5447f, 0.9061f, 1.781f},
+    .d_f = 1.0f,
+    .d_b = 1.0f,
+};
+
+static const tsu_parameter_info parameters[] = {
+    TSU_I_PARAMETER(params, eta, 1, "1", 1, 1.2, 2.0, 1.55, "refractive index of the fibre"),
+    TSU_I_PARAMETER(params, alpha_R, 1, "rad", 1, TSU_I_DEGREES(-20), TSU_I_DEGREES(20),
+                    TSU_I_DEGREES(-7.5),
+                    "shift of the R lobe in theta_i + theta_r; negative is towards the root"),
+    TSU_I_PARAMETER(params, beta_R, 1, "rad", 1, TSU_I_DEGREES(2), TSU_I_DEGREES(30),
+                    TSU_I_DEGREES(7.5), "longitudinal deviation of R in theta_i + theta_r"),
+    TSU_I_PARAMETER(params, beta_az, 1, "rad", 1, TSU_I_DEGREES(5), TSU_I_DEGREES(30),
+                    TSU_I_DEGREES(10), "azimuthal deviation"),
+    TSU_I_PARAMETER(params, sigma_a, 3, "1/radius", 0, 0, 1e6, 0.9061,
+                    "absorption per fibre radius, linear RGB"),
+    TSU_I_PARAMETER(params, scale_shifts, 1, "1", 1, 0, 1, 0,
+                    "lobe shifts from the textbook's (0) to those of real tilted scales (1)"),
+    TSU_I_PARAMETER(params, d_f, 1, "1", 0, 0, 1, 1,
+                    "factor on multiply scattered light that goes on"),
+    TSU_I_PARAMETER(params, d_b, 1, "1", 0, 0, 1, 1,
+                    "factor on multiply scattered light that comes back"),
+};
+
+static const tsu_input_info inputs[] = {
+    TSU_I_INPUT("material", "int", 0, "index of the material in the bound page"),
+    TSU_I_INPUT("t", "vec3", 0, "unit tangent, root to tip"),
+    TSU_I_INPUT("l", "vec3", 0, "unit vector to the light"),
+    TSU_I_INPUT("v", "vec3", 0, "unit vector to the viewer"),
+    TSU_I_INPUT("sigma_a", "vec3", 0, "absorption per fibre radius, linear RGB"),
+    TSU_I_INPUT("front", "float", TSU_INPUT_EXTRA,
+                "mean number of fibres between here and the light"),
+    TSU_I_INPUT("direct", "float", TSU_INPUT_EXTRA, "share of the direct light that arrives"),
+};
+
+static const tsu_error_info errors[] = {
+#include "models/plane_parallel_hair/errors.inc"
+};
+
+static const struct tsu_i_table tables[] = {
+    {.info = {.struct_size = sizeof(tsu_table_info),
+              .name = "azimuthal",
+              .axes = "marschner's",
+              .channels = "marschner's",
+              .width = MARSCHNER_WIDTH,
+              .height = MARSCHNER_HEIGHT,
+              .bytes = MARSCHNER_WIDTH * MARSCHNER_HEIGHT * 8},
+     .key_offset = offsetof(struct dual_state, fiber.eta),
+     .key_size = 2 * sizeof(float),
+     .units = MARSCHNER_HEIGHT,
+     .bake = tsu_i_marschner_bake,
+     .finish = tsu_i_marschner_finish},
+    {.info = {.struct_size = sizeof(tsu_table_info),
+              .name = "layer",
+              .axes =
+                  "48 rows: x log2(1 + 250 sigma_a) / 13 in [0, 1], y sin(theta_r) in [-1, 1]; 48: "
+                  "y cos(theta_r) in [0, 1]; twice 16: x exp2(-front / 4) in [0, 1], y absorption "
+                  "as before",
+              .channels =
+                  "k (log2(e) 2/pi), r, shares back and on; a_f, a_b; a, b, c of the lobes back "
+                  "and on",
+              .width = LAYER_WIDTH,
+              .height = LAYER_HEIGHT,
+              .bytes = LAYER_WIDTH * LAYER_HEIGHT * 8},
+     .key_offset = offsetof(struct dual_state, fiber.eta),
+     .key_size = offsetof(struct marschner_state, sigma_a) - offsetof(struct marschner_state, eta),
+     .units = SOLVED_SIGMAS,
+     .scratch_bytes = sizeof(struct layer_room),
+     .bake = tsu_i_layer_bake,
+     .finish = tsu_i_layer_finish}};
+
+static const char *const snippets[] = {"marschner/longitudinal.glsl",
+                                       "marschner/azimuthal.glsl",
+                                       "marschner/eval.glsl",
+                                       "dual_scattering/fields.glsl",
+                                       "dual_scattering/eval.glsl",
+                                       "plane_parallel_hair/eval.glsl",
+                                       NULL};
+
+static void prepare(const void *from, void *to)
+{
+    const params *p = from;
+    struct dual_state *state = to;
+    const tsu_marschner_params fiber = {.eta = p->eta,
+                                        .alpha_R = p->alpha_R,
+                                        .beta_R = p->beta_R,
+                                        .beta_az = p->beta_az,
+                                        .sigma_a = {p->sigma_a[0], p->sigma_a[1], p->sigma_a[2]},
+                                        .scale_shifts = p->scale_shifts};
+    tsu_i_marschner_prepare(&fiber, &state->fiber);
+    state->d_f = p->d_f;
+    state->d_b = p->d_b;
+    state->gamma = (float)tsu_i_two_stream_gamma(p->eta, p->beta_az);
+}
+
+static void record(const void *from, const struct tsu_i_place *places, float *out)
+{
+    const struct dual_state *state = from;
+    const struct tsu_i_place *layer = places + 1;
+    const float width = (float)layer->width, height = (float)layer->height;
+    const float u = tsu_i_dual_material_place(&state->fiber);
+    tsu_i_marschner_record(&state->fiber, places, out);
+    out[15] = state->gamma;
+    // Over the integral of cos^4(phi/2).
+    out[19] = state->d_b * 0.42441318f;
+    out[22] = state->d_f * 0.42441318f;
+    out[23] = (float)LAYER_LOBE_ROWS / height;
+    out[24] = ((float)layer->x + (float)LAYER_WIDTH - 0.5f) / width;
+    out[25] = ((float)layer->y + 0.5f) / height;
+    out[26] = (float)(LAYER_WIDTH - 1) / (SIGMA_OCTAVES * width);
+    out[27] = DUAL_SPAN(LAYER_ROWS) / height;
+    out[28] = ((float)layer->x + 0.5f) / width;
+    out[29] = out[25] + (2.0f * LAYER_ROWS + u * DUAL_SPAN(LAYER_LOBE_ROWS)) / height;
+    out[30] = (float)(LAYER_WIDTH - 1) / width;
+}
+
+const struct tsu_model tsu_i_model_plane_parallel_hair = {
+    .info = {.struct_size = sizeof(tsu_model_info),
+             .name = "plane_parallel_hair",
+             .title = "Hair in solved layers of hair",
+             .source =
+                 "Shinya et al. 2010, hair as plane-parallel layers; van de Hulst 1980, Multiple "
+                 "Light Scattering",
+             .params_size = sizeof(params),
+             .parameter_count = sizeof parameters / sizeof *parameters,
+             .table_count = sizeof tables / sizeof *tables,
+             .error_count = sizeof errors / sizeof *errors,
+             .input_count = sizeof inputs / sizeof *inputs,
+             .function_count = LAYER_FUNCTIONS},
+    .defaults = &defaults,
+    .params_least = sizeof(params),
+    .parameters = parameters,
+    .tables = tables,
+    .errors = errors,
+    .inputs = inputs,
+    .functions = tsu_i_layer_functions,
+    .snippets = snippets,
+    .prepare = prepare,
+    .record = record,
+};
+
+const tsu_model *tsu_plane_parallel_hair(void)
+{
+    return &tsu_i_model_plane_parallel_hair;
+}

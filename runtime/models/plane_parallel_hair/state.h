@@ -1,0 +1,69 @@
+// What the files of this model share. It extends dual_scattering: same state, same record, one
+// table in the place of two.
+#ifndef TSU_MODELS_PLANE_PARALLEL_HAIR_STATE_H
+#define TSU_MODELS_PLANE_PARALLEL_HAIR_STATE_H
+
+#include "models/dual_scattering/state.h"
+#include "optics/fiber_layer.h"
+
+// Table "layer": 48 rows of fields over sin(theta_r), 48 of shares over cos(theta_r), 16 of each
+// lobe over absorption.
+enum {
+    LAYER_WIDTH = 64,
+    LAYER_ROWS = 48,
+    LAYER_LOBE_ROWS = 16,
+    LAYER_HEIGHT = 2 * LAYER_ROWS + 2 * LAYER_LOBE_ROWS
+};
+
+// What is solved: absorptions, inclinations, and depths of the lobes.
+enum { SOLVED_SIGMAS = 8, SOLVED_THETAS = 11, SOLVED_DEPTHS = 8 };
+
+// Corrections of the closed form at one absorption and inclination, and lobes at one depth.
+struct layer_fit {
+    float ln_k, logit_r, back, on; // added to the closed form's
+};
+struct layer_lobes {
+    float mean[2], variance[2]; // light that comes back, light that goes on
+};
+struct layer_solved {
+    struct layer_fit fits[SOLVED_THETAS];
+    struct layer_lobes lobes[SOLVED_DEPTHS];
+};
+
+double tsu_i_layer_sigma(int i);       // absorption i of SOLVED_SIGMAS
+double tsu_i_layer_inclination(int i); // view inclination i of SOLVED_THETAS, radians
+double tsu_i_layer_depth(int i);       // depth i of SOLVED_DEPTHS, fibres; the first is 0
+
+// solve.c: one absorption. Five azimuths leave 0.5 % of R and T.
+enum {
+    SOLVED_AZIMUTHS = 5,
+    SOLVED_DIRECTIONS = TSU_I_LAYER_THETAS * (SOLVED_AZIMUTHS + 1),
+    SOLVED_KEPT = SOLVED_DEPTHS - 1
+};
+struct layer_room {
+    double solver[7 * SOLVED_DIRECTIONS * SOLVED_DIRECTIONS];
+    float back[SOLVED_KEPT][SOLVED_DIRECTIONS * SOLVED_DIRECTIONS]; // layers of the depths past 0
+    float through[SOLVED_KEPT][SOLVED_DIRECTIONS * SOLVED_DIRECTIONS];
+};
+void tsu_i_layer_solve(const struct dual_state *state, int sigma, struct layer_room *room,
+                       struct layer_solved *solved);
+
+// fit.c: reflectances and transmittances of one inclination, and what the shader makes of four
+// numbers.
+enum { FITTED_TAUS = 7 };
+extern const double tsu_i_layer_taus[FITTED_TAUS];
+struct layer_powers {
+    double r[FITTED_TAUS], t[FITTED_TAUS];
+};
+void tsu_i_layer_fit(const struct tsu_i_strand *strand, double theta, double gamma,
+                     const struct layer_powers *powers, struct layer_fit *fit);
+
+// table.c
+void tsu_i_layer_bake(const void *state, uint32_t unit, void *scratch, float *texels);
+void tsu_i_layer_finish(const void *state, float *texels);
+
+// functions.c
+enum { LAYER_FUNCTIONS = 1 };
+extern const struct tsu_i_function tsu_i_layer_functions[LAYER_FUNCTIONS];
+
+#endif
