@@ -1,4 +1,5 @@
 #include "api/params.h"
+#include "api/set.h"
 #include "bake/pool.h"
 #include "base/desc.h"
 
@@ -92,6 +93,11 @@ void tsu_set_destroy(tsu_set *set)
     tsu_i_free(context, set->materials, set->material_capacity, sizeof *set->materials);
     tsu_i_pool_free(&set->pool);
     tsu_i_free(context, set, 1, sizeof *set);
+}
+
+struct tsu_i_pool *tsu_i_set_pool(tsu_set *set)
+{
+    return &set->pool;
 }
 
 static struct material *find(const tsu_set *set, uint32_t material)

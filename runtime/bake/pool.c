@@ -102,6 +102,13 @@ void tsu_i_pool_give(struct tsu_i_pool *pool, uint32_t table)
     pool->stale -= !t->baked;
 }
 
+void tsu_i_pool_filled(struct tsu_i_pool *pool, uint32_t table)
+{
+    pool->tables[table].baked = 1;
+    pool->stale--;
+    touch(pool, pool->tables + table);
+}
+
 struct bake {
     struct tsu_i_pool *pool;
     const uint32_t *stale; // tables to bake
@@ -147,9 +154,7 @@ static void finish(const struct bake *bake, uint32_t i)
         for (uint32_t k = 0; k < pitch; k++)
             out[k] = tsu_i_half(bake->rows[i][(size_t)y * pitch + k]);
     }
-    t->baked = 1;
-    pool->stale--;
-    touch(pool, t);
+    tsu_i_pool_filled(pool, bake->stale[i]);
 }
 
 static size_t floats(const struct tsu_i_pool *pool, uint32_t table)

@@ -34,6 +34,8 @@ tsu_status tsu_i_pool_take(struct tsu_i_pool *pool, const struct tsu_i_table *de
 void tsu_i_pool_give(struct tsu_i_pool *pool, uint32_t table);
 // Bake what is stale. TSU_E_MEMORY.
 tsu_status tsu_i_pool_bake(struct tsu_i_pool *pool);
+// Note that a stale table's texels have been written.
+void tsu_i_pool_filled(struct tsu_i_pool *pool, uint32_t table);
 struct tsu_i_texels tsu_i_pool_texels(const struct tsu_i_pool *pool, uint32_t table);
 void tsu_i_pool_free(struct tsu_i_pool *pool);
 

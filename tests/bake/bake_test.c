@@ -2,5 +2,5 @@
 
 int main(void)
 {
-    return set_tests() + growth_tests() + jobs_tests() + memory_tests() != 0;
+    return set_tests() + growth_tests() + jobs_tests() + memory_tests() + cache_tests() != 0;
 }

@@ -37,5 +37,6 @@ int set_tests(void);
 int growth_tests(void);
 int jobs_tests(void);
 int memory_tests(void);
+int cache_tests(void);
 
 #endif

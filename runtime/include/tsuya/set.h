@@ -64,6 +64,29 @@ TSU_API tsu_status tsu_set_remove(tsu_set *set, uint32_t material);
 // the texels of stale tables are zero. Errors: TSU_E_MEMORY. Threads: object.
 TSU_API tsu_status tsu_set_bake(tsu_set *set);
 
+// Baked tables as bytes for a file of the host's: of tables that take long, only the first run of a
+// program pays. Add the materials, read, and bake what is still stale:
+//
+//   tsu_set_cache_read(set, bytes, size, NULL);   // a block that does not fit is no loss
+//   tsu_set_bake(set);
+//
+// A table is taken when the block has one of the same model, table, description and key (the
+// parameters that shape it); what else is in the block is left alone. Blocks belong to one version
+// of the library.
+//
+// Bytes of a block with the set's baked tables; 0 for NULL. Threads: object.
+TSU_API size_t tsu_set_cache_size(const tsu_set *set);
+// Write the block. `size`: bytes of `buffer`, at least tsu_set_cache_size().
+// Errors: TSU_E_PARAMETER. Threads: object.
+TSU_API tsu_status tsu_set_cache_write(const tsu_set *set, void *buffer, size_t size);
+// Fill stale tables from a block of exactly `size` bytes; *taken (may be NULL) counts them. The
+// whole block is checked before anything is taken: length, structure, and a hash that any changed
+// byte breaks. The hash guards against accidents, not against a forger.
+// Errors: TSU_E_PARAMETER (not a whole block), TSU_E_VERSION (of another library), both logged; the
+// set is unchanged then. Threads: object.
+TSU_API tsu_status tsu_set_cache_read(tsu_set *set, const void *buffer, size_t size,
+                                      uint32_t *taken);
+
 typedef struct tsu_set_info {
     uint32_t struct_size;        // set by tsu_set_info_init()
     uint32_t flags;              // 0
