@@ -46,7 +46,8 @@ enum {
     TSU_LOG_GL_STATE = 43,
     TSU_LOG_GL_ERROR = 44,
     TSU_LOG_COLOR = 50,
-    TSU_LOG_HAIR_SHADOW = 60
+    TSU_LOG_HAIR_SHADOW = 60,
+    TSU_LOG_LIGHT = 61
 };
 
 #endif

@@ -243,6 +243,11 @@ tsu_status tsu_i_assemble(const tsu_context *context, const tsu_shader_desc *des
     tsu_status status = TSU_OK;
     if (any_material(desc))
         status = put_file(&a, "prelude/records.glsl");
+    static const char *const lights[] = {"light/fiber.glsl", "light/light.glsl",
+                                         "light/environment.glsl"};
+    for (size_t i = 0; i < sizeof lights / sizeof *lights && status == TSU_OK; i++)
+        if (desc->flags & TSU_SHADER_LIGHTS)
+            status = put_file(&a, lights[i]);
     for (uint32_t i = 0; i < desc->model_count && status == TSU_OK; i++)
         for (const char *const *file = desc->models[i]->snippets;
              *file && status == TSU_OK && !listed_before(desc, i); file++)

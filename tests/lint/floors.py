@@ -17,8 +17,9 @@ FLOORS = {
     'bake': ['base/'] + MODEL,
     'shade': ['base/'] + MODEL,
     'hair_shadow': ['base/'] + MODEL,
+    'light': ['base/'],
     'gl': ['base/'] + MODEL,
-    'api': ['base/', 'optics/', 'bake/', 'shade/', 'hair_shadow/', 'models/'],
+    'api': ['base/', 'optics/', 'bake/', 'shade/', 'hair_shadow/', 'light/', 'models/'],
 }
 # A model that extends others builds on their private headers and calls their GLSL.
 EXTENDS = {'dual_scattering': ['marschner'], 'plane_parallel_hair': ['marschner', 'dual_scattering']}
@@ -127,8 +128,8 @@ def check_glsl():
             continue
         if inside[0] == 'demo':
             continue
-        if inside[0] != 'glsl' or len(inside) != 3 or inside[1] not in folders | {'prelude'}:
-            say(path, 'GLSL of the library lives in glsl/MODEL/ and glsl/prelude/')
+        if inside[0] != 'glsl' or len(inside) != 3 or inside[1] not in folders | {'light', 'prelude'}:
+            say(path, 'GLSL of the library lives in glsl/MODEL/, glsl/light/ and glsl/prelude/')
             continue
         code = re.sub(r'//[^\n]*', '', path.read_text('utf-8'))
         if re.search(r'#\s*(include|version|extension)|\bmain\s*\(|\bgl_|\bdiscard\b|\buniform\b', code):

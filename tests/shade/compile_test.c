@@ -94,6 +94,7 @@ static void everything_compiles(void **state)
             const char *what = all ? "all models" : model_name(a.models[m]);
             compile_models(what, 0);
             compile_models(what, TSU_SHADER_HARNESS);
+            compile_models(what, TSU_SHADER_LIGHTS);
             if (a.desc.target != TSU_TARGET_VULKAN) {
                 a.desc.array_materials = 3;
                 compile_models(what, TSU_SHADER_ARRAY);

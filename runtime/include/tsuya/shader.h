@@ -52,7 +52,9 @@ enum {
     // A complete fragment shader with #version: varyings t, l, v, sigma_a, flat int material and
     // the models' extra inputs; o = vec4(sum of all lobes of all models, 1). Not with techniques of
     // self-shadow, which have no lobes.
-    TSU_SHADER_HARNESS = 4
+    TSU_SHADER_HARNESS = 4,
+    // Add the snippets of lights and environments (tsuya/light.h).
+    TSU_SHADER_LIGHTS = 16
 };
 
 typedef struct tsu_shader_desc {

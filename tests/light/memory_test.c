@@ -1,0 +1,6 @@
+#include "tests.h"
+
+int main(void)
+{
+    return light_tests() + environment_tests();
+}
