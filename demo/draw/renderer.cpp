@@ -78,9 +78,10 @@ Expected<bool> Renderer::reload()
     return built ? shading_->reload() : std::move(built);
 }
 
-Expected<bool> Renderer::material(const tsu_model *model, const void *params)
+Expected<bool> Renderer::material(const tsu_model *model, const void *params,
+                                 const std::string &variant)
 {
-    return shading_->set(model, params);
+    return shading_->set(model, params, variant);
 }
 
 Expected<bool> Renderer::load(const groom::Groom &groom, const groom::Mesh &head,

@@ -77,7 +77,8 @@ class Renderer
     Expected<bool> load(const groom::Groom &groom, const groom::Mesh &head, const Solid &solid);
 
     // Choose model and parameters; see Shading::set().
-    Expected<bool> material(const tsu_model *model, const void *params);
+    Expected<bool> material(const tsu_model *model, const void *params,
+                            const std::string &variant = {});
     // Read GLSL again; see Shading::reload().
     Expected<bool> reload();
 

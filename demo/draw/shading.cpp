@@ -84,9 +84,47 @@ Shading::~Shading()
 
 namespace {
 
-// Macros between the library's text and the demo's: how this model takes the shadow.
-Expected<std::string> glue(const tsu_model *model, bool &beyond)
+// The variant of that name; "": "finite" where there is one; "plain" and no such variant: all inputs
+// that variants do not take alone. Bits of the model's inputs.
+Expected<uint32_t> inputs_of(const tsu_model *model, std::string &variant)
 {
+    tsu_model_info info;
+    tsu_model_info_init(&info);
+    tsu_model_describe(model, &info);
+    const std::string wished = variant.empty() ? "finite" : variant;
+    std::string names = "plain";
+    for (uint32_t i = 0; i < info.variant_count; i++) {
+        tsu_variant_info one;
+        tsu_variant_info_init(&one);
+        tsu_model_variant(model, i, &one);
+        names += std::string(", ") + one.name;
+        if (wished == one.name) {
+            variant = one.name;
+            return one.inputs;
+        }
+    }
+    if (!variant.empty() && variant != "plain") {
+        return Error{std::string("model ") + info.name + " has no variant \"" + variant +
+                     "\"; it has " + names};
+    }
+    variant.clear();
+    uint32_t bits = 0;
+    for (uint32_t i = 0; i < info.input_count; i++) {
+        tsu_input_info input;
+        tsu_input_info_init(&input);
+        tsu_model_input(model, i, &input);
+        bits |= input.flags & TSU_INPUT_VARIANT ? 0u : 1u << i;
+    }
+    return bits;
+}
+
+// Macros between the library's text and the demo's: how this model takes the shadow.
+Expected<std::string> glue(const tsu_model *model, std::string variant, bool &beyond)
+{
+    const Expected<uint32_t> inputs = inputs_of(model, variant);
+    if (!inputs) {
+        return Error{inputs.error()};
+    }
     tsu_model_info info;
     tsu_model_info_init(&info);
     tsu_model_describe(model, &info);
@@ -97,7 +135,7 @@ Expected<std::string> glue(const tsu_model *model, bool &beyond)
         tsu_input_info input;
         tsu_input_info_init(&input);
         tsu_model_input(model, i, &input);
-        if (!(input.flags & TSU_INPUT_EXTRA)) {
+        if (!(input.flags & TSU_INPUT_EXTRA) || !(*inputs >> i & 1)) {
             continue;
         }
         const std::string which = input.name;
@@ -116,7 +154,7 @@ Expected<std::string> glue(const tsu_model *model, bool &beyond)
     }
     // The material is the only one of its page.
     return "\n" + defines + "#define HAIR(t, l, v, sigma_a, shadow) " + name + "_sum(" + name +
-           "_eval(0, t, l, v, sigma_a" + extra + "))\n";
+           (variant.empty() ? "" : "_" + variant) + "_eval(0, t, l, v, sigma_a" + extra + "))\n";
 }
 
 } // namespace
@@ -139,10 +177,10 @@ Expected<std::string> Shading::library(const std::vector<const tsu_model *> &mod
     return text;
 }
 
-Expected<Shading::Programs> Shading::build(const tsu_model *model)
+Expected<Shading::Programs> Shading::build(const tsu_model *model, const std::string &variant)
 {
     bool beyond = false;
-    const Expected<std::string> macros = glue(model, beyond);
+    const Expected<std::string> macros = glue(model, variant, beyond);
     if (!macros) {
         return Error{macros.error()};
     }
@@ -210,15 +248,16 @@ Expected<const Shading::MapPrograms *> Shading::maps(const tsu_model *technique)
     return Expected<const MapPrograms *>(&map_programs_);
 }
 
-Expected<bool> Shading::set(const tsu_model *model, const void *params)
+Expected<bool> Shading::set(const tsu_model *model, const void *params,
+                            const std::string &variant)
 {
     message_.clear();
     tsu_status status = tsu_model_params_check(context_, model, params);
     if (status != TSU_OK) {
         return failed("the material is refused", status);
     }
-    if (model != model_) {
-        Expected<Programs> programs = build(model);
+    if (model != model_ || variant != variant_) {
+        Expected<Programs> programs = build(model, variant);
         if (!programs) {
             return Error{programs.error()};
         }
@@ -231,6 +270,7 @@ Expected<bool> Shading::set(const tsu_model *model, const void *params)
         if (status == TSU_OK) {
             programs_ = std::move(*programs);
             model_ = model;
+            variant_ = variant;
             material_ = material;
         }
     } else {
@@ -251,7 +291,7 @@ Expected<bool> Shading::set(const tsu_model *model, const void *params)
 Expected<bool> Shading::reload()
 {
     if (model_) {
-        Expected<Programs> programs = build(model_);
+        Expected<Programs> programs = build(model_, variant_);
         if (!programs) {
             return Error{programs.error()};
         }

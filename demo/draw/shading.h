@@ -34,7 +34,9 @@ class Shading
     // is built only when they have to be.
     // Errors: a parameter out of range; a model with an input that hair drawn here does not have;
     //         a shader that does not compile. The state is then as before.
-    Expected<bool> set(const tsu_model *model, const void *params);
+    //   variant  entry point of the model; "": the one that takes most of what hair here has
+    Expected<bool> set(const tsu_model *model, const void *params,
+                       const std::string &variant = {});
 
     // Read all GLSL again. Errors: it does not compile; the old program stays.
     Expected<bool> reload();
@@ -81,7 +83,7 @@ class Shading
     };
     Expected<std::string> library(const std::vector<const tsu_model *> &models);
     Expected<MapPrograms> build_maps(const tsu_model *technique);
-    Expected<Programs> build(const tsu_model *model);
+    Expected<Programs> build(const tsu_model *model, const std::string &variant);
     const Program &bind(const Program &program);
     static void log(void *user, int32_t level, int32_t code, const char *text);
     static int32_t read(void *user, const char *name, const char **text, size_t *size);
@@ -93,6 +95,7 @@ class Shading
     tsu_set *set_ = nullptr;
     tsu_gl *guest_ = nullptr;
     const tsu_model *model_ = nullptr;
+    std::string variant_;
     uint32_t material_ = 0;
     Programs programs_;
     const tsu_model *technique_ = nullptr;

@@ -166,6 +166,7 @@ Expected<Material> material(const Scene &scene)
     if (!result.model) {
         return Error{"there is no model " + scene.model};
     }
+    result.variant = scene.variant == "auto" ? "" : scene.variant;
     tsu_model_info info;
     tsu_model_info_init(&info);
     tsu_model_describe(result.model, &info);

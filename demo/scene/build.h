@@ -27,6 +27,7 @@ Expected<Hair> hair(const Scene &scene);
 // Model and typed parameters of a scene.
 struct Material {
     const tsu_model *model = nullptr;
+    std::string variant;                  // of the model's entry point; empty: chosen
     std::vector<std::max_align_t> params; // the model's struct
     glm::dvec3 sigma_a{0.0};              // of the scene's colour, per fibre radius
     glm::dvec3 albedo{1.0};               // of one fibre of that colour

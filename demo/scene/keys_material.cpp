@@ -3,6 +3,7 @@
 #include <tsuya/hair_color.h>
 #include <tsuya/model.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -49,6 +50,21 @@ std::vector<std::string> model_names()
         tsu_model_info_init(&info);
         tsu_model_describe(tsu_model_at(i), &info);
         names.push_back(info.name);
+    }
+    return names;
+}
+
+std::vector<std::string> variant_names()
+{
+    std::vector<std::string> names = {"auto", "plain"};
+    for (uint32_t m = 0; m < tsu_model_count(); m++) {
+        tsu_variant_info variant;
+        tsu_variant_info_init(&variant);
+        for (uint32_t i = 0; tsu_model_variant(tsu_model_at(m), i, &variant) == TSU_OK; i++) {
+            if (std::find(names.begin(), names.end(), variant.name) == names.end()) {
+                names.push_back(variant.name);
+            }
+        }
     }
     return names;
 }
@@ -109,6 +125,8 @@ void add_material_keys(std::vector<Key> &keys)
 {
     const std::vector<Key> fixed = {
         word_key("material", "model", &Scene::model, model_names(), "shading model"),
+        word_key("material", "variant", &Scene::variant, variant_names(),
+                 "entry point of the model; auto: finite where there is one, else plain"),
         colored(word_key("material", "color", &Scene::color, preset_names(), "a natural colour"),
                 ColorBy::preset),
         colored(triple_key("material", "sigma_a", &Scene::sigma_a, 0.0, 1e6,

@@ -57,7 +57,7 @@ std::string Studio::description() const
 Expected<bool> Studio::take(const Hair &hair, const Material &material)
 {
     Expected<bool> loaded = renderer_->load(hair.groom, hair.head, hair.solid);
-    return loaded ? renderer_->material(material.model, material.params.data())
+    return loaded ? renderer_->material(material.model, material.params.data(), material.variant)
                   : std::move(loaded);
 }
 

@@ -50,6 +50,7 @@ struct Scene {
     std::string head = "auto";
 
     std::string model = "marschner";
+    std::string variant = "auto"; // of the model's entry point
     // Parameters that were given, under the model's name for them; angles in degrees. Those of
     // other models are kept, so that model= can be switched.
     std::map<std::string, glm::dvec3> parameters;

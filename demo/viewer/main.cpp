@@ -135,7 +135,8 @@ class Session
             return true;
         }
         const groom::Expected<bool> set = renderer_.material(material->model,
-                                                             material->params.data());
+                                                             material->params.data(),
+                                                             material->variant);
         if (!set) {
             return set;
         }

@@ -39,6 +39,11 @@ tsu_status tsu_model_input(const tsu_model *model, uint32_t index, tsu_input_inf
     return DESCRIBE(model, index, model->info.input_count, model->inputs + index, out);
 }
 
+tsu_status tsu_model_variant(const tsu_model *model, uint32_t index, tsu_variant_info *out)
+{
+    return DESCRIBE(model, index, model->info.variant_count, model->variants + index, out);
+}
+
 tsu_status tsu_model_function(const tsu_model *model, uint32_t index, tsu_function_info *out)
 {
     return DESCRIBE(model, index, model->info.function_count, &model->functions[index].info, out);

@@ -70,6 +70,7 @@ struct tsu_model {
     uint32_t measure_count;
     const tsu_error_info *errors;
     const tsu_input_info *inputs;
+    const tsu_variant_info *variants;
     const struct tsu_i_function *functions;
     const char *const *snippets; // glsl files in order, NULL-terminated
     // Derived constants of checked parameters, at most TSU_I_STATE_BYTES. Zeroed before.

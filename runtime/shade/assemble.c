@@ -196,7 +196,8 @@ static void put_varyings(const struct assembler *a)
     for (uint32_t i = 0; i < a->desc->model_count; i++)
         for (uint32_t k = 0; k < a->desc->models[i]->info.input_count; k++) {
             const tsu_input_info *input = a->desc->models[i]->inputs + k;
-            if (input->flags & TSU_INPUT_EXTRA && !extra_before(a->desc, i, input->name))
+            if (input->flags & TSU_INPUT_EXTRA && !(input->flags & TSU_INPUT_VARIANT) &&
+                !extra_before(a->desc, i, input->name))
                 put_varying(a, &location, input->type, input->name);
         }
     put(a, "layout(location = 0) out vec4 o;\n");
@@ -215,6 +216,8 @@ static void put_main(const struct assembler *a)
         put(a, model->info.name);
         put(a, "_eval(");
         for (uint32_t k = 0; k < model->info.input_count; k++) {
+            if (model->inputs[k].flags & TSU_INPUT_VARIANT)
+                continue;
             put(a, k ? ", " : "");
             put(a, model->inputs[k].name);
         }

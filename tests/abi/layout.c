@@ -146,6 +146,14 @@ AT(tsu_model_info, table_count, 44);
 AT(tsu_model_info, error_count, 48);
 AT(tsu_model_info, input_count, 52);
 AT(tsu_model_info, function_count, 56);
+AT(tsu_model_info, variant_count, 60);
+
+SIZE(tsu_variant_info, 32);
+AT(tsu_variant_info, struct_size, 0);
+AT(tsu_variant_info, flags, 4);
+AT(tsu_variant_info, name, 8);
+AT(tsu_variant_info, help, 16);
+AT(tsu_variant_info, inputs, 24);
 
 SIZE(tsu_parameter_info, 72);
 AT(tsu_parameter_info, struct_size, 0);

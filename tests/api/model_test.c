@@ -170,11 +170,28 @@ static void tables_errors_inputs_and_functions(void **state)
             assert_int_equal(tsu_model_input(model, i, &input), TSU_OK);
             if (i < 5)
                 assert_string_equal(input.name, first[i]);
-            assert_int_equal(input.flags, i < 5 ? 0 : TSU_INPUT_EXTRA);
+            assert_int_equal(input.flags & ~(uint32_t)TSU_INPUT_VARIANT,
+                             i < 5 ? 0 : TSU_INPUT_EXTRA);
             assert_text(input.type);
             assert_text(input.help);
         }
         assert_int_equal(tsu_model_input(model, info.input_count, &input), TSU_E_PARAMETER);
+        tsu_variant_info variant;
+        tsu_variant_info_init(&variant);
+        uint32_t taken = 0;
+        for (uint32_t i = 0; i < info.variant_count; i++) {
+            assert_int_equal(tsu_model_variant(model, i, &variant), TSU_OK);
+            assert_text(variant.name);
+            assert_text(variant.help);
+            assert_int_equal(variant.inputs & 31, 31);
+            taken |= variant.inputs;
+        }
+        assert_int_equal(tsu_model_variant(model, info.variant_count, &variant), TSU_E_PARAMETER);
+        for (uint32_t i = 0; i < info.input_count; i++) {
+            assert_int_equal(tsu_model_input(model, i, &input), TSU_OK);
+            if (input.flags & TSU_INPUT_VARIANT)
+                assert_true(taken >> i & 1);
+        }
     }
 }
 

@@ -40,6 +40,7 @@ typedef struct tsu_model_info {
     uint32_t error_count;
     uint32_t input_count;
     uint32_t function_count;
+    uint32_t variant_count;
 } tsu_model_info;
 
 // One field of the model's typed parameter struct.
@@ -79,12 +80,24 @@ typedef struct tsu_error_info {
 // One argument of the model's GLSL entry point, in order.
 typedef struct tsu_input_info {
     uint32_t struct_size; // set by tsu_input_info_init()
-    uint32_t flags;       // TSU_INPUT_EXTRA: beyond t, l, v, sigma_a and the material index
+    uint32_t flags;       // TSU_INPUT_* bits
     const char *name;     // "t"
     const char *type;     // GLSL type
     const char *help;
 } tsu_input_info;
-enum { TSU_INPUT_EXTRA = 1 };
+enum {
+    TSU_INPUT_EXTRA = 1,  // beyond t, l, v, sigma_a and the material index
+    TSU_INPUT_VARIANT = 2 // taken by variants of the entry point alone
+};
+
+// Another GLSL entry point of a model, tsu_MODEL_NAME_eval, whose sum is the model's.
+typedef struct tsu_variant_info {
+    uint32_t struct_size; // set by tsu_variant_info_init()
+    uint32_t flags;       // 0
+    const char *name;     // "finite"
+    const char *help;
+    uint32_t inputs; // bit i: it takes input i of the model
+} tsu_variant_info;
 
 // One question that a model answers three times: by its double-precision reference, by the tables
 // sampled in C, and by the GLSL (entry tsu_probe, see shader.h). Inputs hold material parameters
@@ -123,6 +136,7 @@ TSU_API tsu_status tsu_info_init_sized(void *info, size_t size);
 #define tsu_table_info_init(info) tsu_info_init_sized((info), sizeof *(info))
 #define tsu_error_info_init(info) tsu_info_init_sized((info), sizeof *(info))
 #define tsu_input_info_init(info) tsu_info_init_sized((info), sizeof *(info))
+#define tsu_variant_info_init(info) tsu_info_init_sized((info), sizeof *(info))
 #define tsu_function_info_init(info) tsu_info_init_sized((info), sizeof *(info))
 #define tsu_value_info_init(info) tsu_info_init_sized((info), sizeof *(info))
 
@@ -134,6 +148,7 @@ TSU_API tsu_status tsu_model_parameter(const tsu_model *model, uint32_t index,
 TSU_API tsu_status tsu_model_table(const tsu_model *model, uint32_t index, tsu_table_info *out);
 TSU_API tsu_status tsu_model_error(const tsu_model *model, uint32_t index, tsu_error_info *out);
 TSU_API tsu_status tsu_model_input(const tsu_model *model, uint32_t index, tsu_input_info *out);
+TSU_API tsu_status tsu_model_variant(const tsu_model *model, uint32_t index, tsu_variant_info *out);
 TSU_API tsu_status tsu_model_function(const tsu_model *model, uint32_t index,
                                       tsu_function_info *out);
 TSU_API tsu_status tsu_function_input(const tsu_model *model, uint32_t function, uint32_t index,

@@ -47,7 +47,20 @@ static const tsu_input_info inputs[] = {
     TSU_I_INPUT("sigma_a", "vec3", 0, "absorption per fibre radius, linear RGB"),
     TSU_I_INPUT("front", "float", TSU_INPUT_EXTRA,
                 "mean number of fibres between here and the light"),
+    TSU_I_INPUT("behind", "float", TSU_INPUT_EXTRA | TSU_INPUT_VARIANT,
+                "mean number of fibres on the far side, away from the light"),
     TSU_I_INPUT("direct", "float", TSU_INPUT_EXTRA, "share of the direct light that arrives"),
+};
+
+static const tsu_variant_info variants[] = {
+    {.struct_size = sizeof(tsu_variant_info),
+     .name = "finite",
+     .help = "counts the fibres on the far side as well: thin hair and tips",
+     .inputs = 0xff},
+    {.struct_size = sizeof(tsu_variant_info),
+     .name = "zinke",
+     .help = "dual scattering as published in 2008",
+     .inputs = 0xbf},
 };
 
 static const tsu_error_info errors[] = {
@@ -153,6 +166,7 @@ const struct tsu_model tsu_i_model_dual_scattering = {
              .table_count = sizeof tables / sizeof *tables,
              .error_count = sizeof errors / sizeof *errors,
              .input_count = sizeof inputs / sizeof *inputs,
+             .variant_count = sizeof variants / sizeof *variants,
              .function_count = DUAL_FUNCTIONS},
     .defaults = &defaults,
     .params_least = sizeof(params),
@@ -160,6 +174,7 @@ const struct tsu_model tsu_i_model_dual_scattering = {
     .tables = tables,
     .errors = errors,
     .inputs = inputs,
+    .variants = variants,
     .functions = tsu_i_dual_functions,
     .snippets = snippets,
     .prepare = prepare,

@@ -47,7 +47,16 @@ static const tsu_input_info inputs[] = {
     TSU_I_INPUT("sigma_a", "vec3", 0, "absorption per fibre radius, linear RGB"),
     TSU_I_INPUT("front", "float", TSU_INPUT_EXTRA,
                 "mean number of fibres between here and the light"),
+    TSU_I_INPUT("behind", "float", TSU_INPUT_EXTRA | TSU_INPUT_VARIANT,
+                "mean number of fibres on the far side, away from the light"),
     TSU_I_INPUT("direct", "float", TSU_INPUT_EXTRA, "share of the direct light that arrives"),
+};
+
+static const tsu_variant_info variants[] = {
+    {.struct_size = sizeof(tsu_variant_info),
+     .name = "finite",
+     .help = "counts the fibres on the far side as well: thin hair and tips",
+     .inputs = 0xff},
 };
 
 static const tsu_error_info errors[] = {
@@ -143,6 +152,7 @@ const struct tsu_model tsu_i_model_plane_parallel_hair = {
              .table_count = sizeof tables / sizeof *tables,
              .error_count = sizeof errors / sizeof *errors,
              .input_count = sizeof inputs / sizeof *inputs,
+             .variant_count = sizeof variants / sizeof *variants,
              .function_count = LAYER_FUNCTIONS},
     .defaults = &defaults,
     .params_least = sizeof(params),
@@ -150,6 +160,7 @@ const struct tsu_model tsu_i_model_plane_parallel_hair = {
     .tables = tables,
     .errors = errors,
     .inputs = inputs,
+    .variants = variants,
     .functions = tsu_i_layer_functions,
     .snippets = snippets,
     .prepare = prepare,
