@@ -191,6 +191,22 @@ def bake_keeps_texture_and_block_apart():
 
 
 @case
+def bake_takes_the_colour_of_a_head():
+    # The default fibre's curve has a node at sigma_a 0.0225 (runtime/optics/head_default.inc).
+    pages = []
+    with tempfile.TemporaryDirectory() as folder:
+        for word in ('head_albedo=0.374645396520', 'sigma_a=0.0225', 'head_albedo=0.37'):
+            output('bake', 'marschner', word, '--no-measure', '-o', folder + '/t.bin', '--block',
+                   folder + '/page')
+            page = struct.unpack('<4096f', pathlib.Path(folder, 'page').read_bytes())
+            pages.append(page)
+    near = max(abs(a - b) for a, b in zip(pages[0], pages[1]))
+    far = max(b - a for a, b in zip(pages[0], pages[2]))
+    expect(near <= 1e-8, near)
+    expect(1e-4 < far < 2e-3, far)
+
+
+@case
 def csv_forgets_whole_turns():
     rows = output(*AZIMUTHAL[:-1], 'gpu', text='phi_deg\n339.5\n36000339.5\n-36000020.5\n')
     values = {line.split(',', 1)[1] for line in rows.splitlines()[1:]}
