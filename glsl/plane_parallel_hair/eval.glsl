@@ -5,6 +5,11 @@
 //   6  the same over its fields, 48 rows over sin(theta_r) in [-1, 1]
 //   7  origin x, y of the lobe of light that comes back; extent x of the front axis
 
+struct tsu_plane_parallel_hair_lobes {
+    vec3 single;   // direct light, scattered by this fibre alone
+    vec3 multiple; // light that has met other fibres
+};
+
 tsu_dual_scattering_stream tsu_plane_parallel_hair_at(int material, vec3 t, vec3 v, vec3 sigma_a)
 {
     vec4 place = TSU_RECORD(material, 6);
@@ -14,30 +19,30 @@ tsu_dual_scattering_stream tsu_plane_parallel_hair_at(int material, vec3 t, vec3
 
 // L_r = Int L_i value dω_i: times radiance and solid angle of the light, no further cosine and no
 // transmittance. Inputs as tsu_dual_scattering_eval; error: see tsuya/models/plane_parallel_hair.h.
-tsu_dual_scattering_lobes tsu_plane_parallel_hair_eval(int material, vec3 t, vec3 l, vec3 v,
+tsu_plane_parallel_hair_lobes tsu_plane_parallel_hair_eval(int material, vec3 t, vec3 l, vec3 v,
                                                        vec3 sigma_a, float front, float direct)
 {
     vec2 lobes = tsu_dual_scattering_near_far(material, t, l, v, front);
-    return tsu_dual_scattering_lobes(
+    return tsu_plane_parallel_hair_lobes(
         direct * tsu_marschner_sum(tsu_marschner_eval(material, t, l, v, sigma_a)),
         tsu_dual_scattering_thick(tsu_plane_parallel_hair_at(material, t, v, sigma_a), front,
                                   pow(direct, TSU_RECORD(material, 3).w), lobes.x, lobes.y));
 }
 
 // The same with `behind`, the mean number of fibres on the far side of this one, away from the light.
-tsu_dual_scattering_lobes tsu_plane_parallel_hair_finite_eval(int material, vec3 t, vec3 l, vec3 v,
+tsu_plane_parallel_hair_lobes tsu_plane_parallel_hair_finite_eval(int material, vec3 t, vec3 l, vec3 v,
                                                               vec3 sigma_a, float front,
                                                               float behind, float direct)
 {
     vec2 lobes = tsu_dual_scattering_near_far(material, t, l, v, front);
-    return tsu_dual_scattering_lobes(
+    return tsu_plane_parallel_hair_lobes(
         direct * tsu_marschner_sum(tsu_marschner_eval(material, t, l, v, sigma_a)),
         tsu_dual_scattering_finite(tsu_plane_parallel_hair_at(material, t, v, sigma_a), front,
                                    behind, pow(direct, TSU_RECORD(material, 3).w), lobes.x,
                                    lobes.y));
 }
 
-vec3 tsu_plane_parallel_hair_sum(tsu_dual_scattering_lobes lobes)
+vec3 tsu_plane_parallel_hair_sum(tsu_plane_parallel_hair_lobes lobes)
 {
-    return tsu_dual_scattering_sum(lobes);
+    return lobes.single + lobes.multiple;
 }

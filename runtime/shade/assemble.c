@@ -108,6 +108,16 @@ static tsu_status put_file(const struct assembler *a, const char *name)
     return TSU_OK;
 }
 
+// Models that extend another one bring its files along.
+static int file_before(const tsu_shader_desc *desc, uint32_t model, const char *const *file)
+{
+    for (uint32_t i = 0; i <= model; i++)
+        for (const char *const *other = desc->models[i]->snippets; *other && other != file; other++)
+            if (strcmp(*other, *file) == 0)
+                return 1;
+    return 0;
+}
+
 static int listed_before(const tsu_shader_desc *desc, uint32_t index)
 {
     for (uint32_t i = 0; i < index; i++)
@@ -254,7 +264,8 @@ tsu_status tsu_i_assemble(const tsu_context *context, const tsu_shader_desc *des
     for (uint32_t i = 0; i < desc->model_count && status == TSU_OK; i++)
         for (const char *const *file = desc->models[i]->snippets;
              *file && status == TSU_OK && !listed_before(desc, i); file++)
-            status = put_file(&a, *file);
+            if (!file_before(desc, i, file))
+                status = put_file(&a, *file);
     if (status == TSU_OK && desc->flags & TSU_SHADER_PROBE)
         status = put_file(&a, desc->models[0]->functions[desc->function].probe);
     if (harness && status == TSU_OK) {

@@ -196,7 +196,7 @@ static void errors_of_the_descriptor(void **state)
         ask_refused(&a, TSU_E_PARAMETER, "target");
     }
     a.desc = good;
-    a.desc.flags = 16;
+    a.desc.flags = 1u << 20;
     ask_refused(&a, TSU_E_PARAMETER, "flags");
     a.desc = good;
     a.desc.reserved = 1;
