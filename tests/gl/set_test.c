@@ -162,6 +162,21 @@ static void follows_every_change(void **state)
 
 // Light or view along the strand, opposite and equal directions, no and much absorption: finite,
 // not negative, and no brighter than a lobe can be.
+// Values for the inputs beyond the fixed five: none in the way, all, some.
+static void extras_of(const tsu_model *model, int which, char *text, size_t size)
+{
+    static const char *const fibres[] = {"0.0", "1e6", "2.0"}, *const direct[] = {"1.0", "0.0",
+                                                                                  "0.1"};
+    tsu_input_info input;
+    tsu_input_info_init(&input);
+    size_t used = 0;
+    text[0] = '\0';
+    for (uint32_t i = 0; tsu_model_input(model, i, &input) == TSU_OK; i++)
+        if (input.flags == TSU_INPUT_EXTRA)
+            used += (size_t)snprintf(text + used, size - used, ", %s",
+                                     (strcmp(input.name, "direct") ? fibres : direct)[which]);
+}
+
 static void extremes_stay_finite(void **state)
 {
     (void)state;
@@ -171,11 +186,15 @@ static void extremes_stay_finite(void **state)
     static char text[65536];
     static float pixels[8 * 8 * 4];
     open_all(8, &set, &gl, &target);
-    for (uint32_t m = 0; m < tsu_model_count(); m++) {
-        const tsu_model *model = tsu_model_at(m);
+    for (uint32_t m = 0; m < 3 * tsu_model_count(); m++) {
+        const tsu_model *model = tsu_model_at(m / 3);
         tsu_model_info info;
         double params[32];
         uint32_t material;
+        char extras[64];
+        extras_of(model, (int)(m % 3), extras, sizeof extras);
+        if (m % 3 && !extras[0])
+            continue;
         tsu_model_info_init(&info);
         tsu_model_describe(model, &info);
         tsu_model_params_init(model, params, info.params_size);
@@ -201,9 +220,9 @@ static void extremes_stay_finite(void **state)
                  " int i = int(uv.x * 8.0), k = int(uv.y * 8.0);\n"
                  " vec3 sigma = vec3(0.0, 30.0, 1e6);\n"
                  " o = vec4(tsu_%s_sum(tsu_%s_eval(material, vec3(0.0, 0.0, 1.0), direction(i),\n"
-                 "     direction(k), sigma)), 1.0);\n}\n",
+                 "     direction(k), sigma%s)), 1.0);\n}\n",
                  fixture.gl.es ? "#version 300 es\n" : "#version 330 core\n",
-                 tsu_shader_text(shader, NULL), info.name, info.name);
+                 tsu_shader_text(shader, NULL), info.name, info.name, extras);
         tsu_shader_destroy(shader);
         const GLuint program = fixture_program(&fixture, NULL, text);
         assert_true(program != 0);
