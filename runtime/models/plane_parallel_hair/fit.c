@@ -9,7 +9,7 @@
 
 const double tsu_i_layer_taus[FITTED_TAUS] = {0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 512.0};
 
-enum { PHIS = 8, DEPTHS = 16, UNKNOWNS = 4, ROWS = 2 * FITTED_TAUS + UNKNOWNS };
+enum { PHIS = 8, DEPTHS = 16, UNKNOWNS = 4, ROWS = 3 * FITTED_TAUS + UNKNOWNS };
 
 // One way to the light out of one depth.
 struct way {
@@ -84,20 +84,26 @@ static void evaluate(const struct ways *ways, const double x[UNKNOWNS], struct l
     }
 }
 
-// In units of the error allowed: 5 % or 0.01. The last rows hold the unknowns near the closed form
-// where the layers say nothing about them.
+// In units of the error allowed: 5 % or 0.01; then what layers without absorption gain. The last rows hold the unknowns near the closed form
+// where the layers say little about them, so that neighbours in inclination and absorption find the
+// same of several minima and may be interpolated.
 static void residuals(const struct ways *ways, const struct layer_powers *truth,
                       const double start[UNKNOWNS], const double x[UNKNOWNS], double out[ROWS])
 {
-    static const double loose[UNKNOWNS] = {0.06, 0.05, 0.25, 0.15};
+    static const double loose[UNKNOWNS] = {0.5, 0.5, 1.0, 0.6};
     struct layer_powers powers;
     evaluate(ways, x, &powers);
     for (int i = 0; i < FITTED_TAUS; i++) {
         out[2 * i] = (powers.r[i] - truth->r[i]) / fmax(0.05 * truth->r[i], 0.01);
         out[2 * i + 1] = (powers.t[i] - truth->t[i]) / fmax(0.05 * truth->t[i], 0.01);
     }
+    for (int i = 0; i < FITTED_TAUS; i++) {
+        const double whole = truth->r[i] + truth->t[i];
+        out[2 * FITTED_TAUS + i] =
+            whole > 0.999 ? fmax(powers.r[i] + powers.t[i] - whole, 0.0) / 0.02 : 0.0;
+    }
     for (int k = 0; k < UNKNOWNS; k++)
-        out[2 * FITTED_TAUS + k] = loose[k] * (x[k] - start[k]);
+        out[3 * FITTED_TAUS + k] = loose[k] * (x[k] - start[k]);
 }
 
 static double square(const double row[ROWS])

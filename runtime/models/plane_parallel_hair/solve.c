@@ -15,7 +15,7 @@ enum { FIRST_DOUBLINGS = 9 };
 double tsu_i_layer_sigma(int i)
 {
     // Denser where hair is light: there most of what is seen has met many fibres.
-    static const double nodes[SOLVED_SIGMAS] = {0.0, 0.006, 0.02, 0.05, 0.12, 0.3, 0.8, 3.0};
+    static const double nodes[SOLVED_SIGMAS] = {0.0, 0.003, 0.012, 0.05, 0.12, 0.3, 0.8, 3.0};
     return nodes[i];
 }
 

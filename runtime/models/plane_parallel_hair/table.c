@@ -1,7 +1,8 @@
 // The table "layer", colourless.
 //
 // Lower 48 rows, sin(theta_r) = -1 + 2 j/47, columns absorption as in dual_scattering's "fields":
-//     log2(e) (2/pi) k, r, shares back and on of the first event, as corrected
+//     log2(e) (2/pi) k, r, shares back and on of the first event, as corrected, over the
+//     lobes' powers
 // 48 rows, cos(theta_r) = j/47: the fibre's own aligned shares forward and backward, for hosts that
 // follow light themselves. Then twice 16 rows of absorption, columns fibres in front: a, b, c of
 // the lobe of light that comes back and of light that goes on.
@@ -38,10 +39,14 @@ static double smooth(const double *values, int count, double x)
 }
 
 // Between the solved absorptions, straight over the axis of absorption; the last one's beyond.
+// White fibres stand alone in the first column: k leaves their floor as a root of absorption, which
+// the closed form knows, so that up to the first that absorbs its own correction holds.
 static double over_sigma(const double values[SOLVED_SIGMAS], double u)
 {
-    double low = 0.0;
-    for (int s = 0; s + 1 < SOLVED_SIGMAS; s++) {
+    double low = tsu_i_dual_sigma_place((float)tsu_i_layer_sigma(1));
+    if (u < low)
+        return values[1] + (values[0] - values[1]) * fmax(1.0 - u * (LAYER_WIDTH - 1), 0.0);
+    for (int s = 1; s + 1 < SOLVED_SIGMAS; s++) {
         const double high = tsu_i_dual_sigma_place((float)tsu_i_layer_sigma(s + 1));
         if (u < high)
             return values[s] + (values[s + 1] - values[s]) * (u - low) / (high - low);
@@ -50,7 +55,8 @@ static double over_sigma(const double values[SOLVED_SIGMAS], double u)
     return values[SOLVED_SIGMAS - 1];
 }
 
-// Correction `which` at theta_r and the place u of an absorption in [0, 1].
+// Correction `which` at theta_r and the place u of an absorption in [0, 1]. Beyond the steepest
+// inclination solved it fades: along the fibres all is reflected, and the closed form is right.
 static double correction(const struct layer_solved solved[SOLVED_SIGMAS], int which, double theta,
                          double u)
 {
@@ -64,7 +70,8 @@ static double correction(const struct layer_solved solved[SOLVED_SIGMAS], int wh
             over_theta[t] = (&solved[s].fits[t].ln_k)[which];
         values[s] = smooth(over_theta, SOLVED_THETAS, x);
     }
-    return over_sigma(values, u);
+    const double steep = fabs(theta) > steepest ? cos(theta) / cos(steepest) : 1.0;
+    return steep * over_sigma(values, u);
 }
 
 static struct tsu_i_turn turn_of(const struct dual_state *state, double theta, int column)
@@ -81,20 +88,6 @@ static struct tsu_i_turn turn_of(const struct dual_state *state, double theta, i
     return tsu_i_strand_turn(&event);
 }
 
-static void field(const struct dual_state *state, const struct layer_solved *solved, double theta,
-                  int column, float out[4])
-{
-    const struct tsu_i_turn turn = turn_of(state, theta, column);
-    const struct tsu_i_stream stream = tsu_i_two_stream(&turn, state->fiber.eta, state->gamma);
-    const double u = (double)column / (LAYER_WIDTH - 1);
-    const double logit = log(stream.r / (1.0 - stream.r)) + correction(solved, 1, theta, u);
-    out[0] =
-        (float)(TSU_I_LOG2E * 2.0 / TSU_I_PI * stream.k * exp(correction(solved, 0, theta, u)));
-    out[1] = (float)(1.0 / (1.0 + exp(-logit)));
-    out[2] = (float)(stream.backward + correction(solved, 2, theta, u));
-    out[3] = (float)(stream.forward + correction(solved, 3, theta, u));
-}
-
 static double lobe_number(const struct layer_solved solved[SOLVED_SIGMAS], int which, double front,
                           double u)
 {
@@ -109,6 +102,45 @@ static double lobe_number(const struct layer_solved solved[SOLVED_SIGMAS], int w
         values[s] = low + (x - i) * ((&solved[s].lobes[i + 1].mean[0])[which] - low);
     }
     return over_sigma(values, u);
+}
+
+// What the shader's lobes give back of unit power to a view at theta_r, both sides' mean behind a few
+// fibres: its I0e is a fit (glsl/dual_scattering/eval.glsl) and errs by up to 3 % for wide lobes.
+static double lobe_powers(const struct layer_solved *solved, double theta, double u)
+{
+    enum { NODES = 48 };
+    const double front = 8.0, step = TSU_I_PI / NODES;
+    double sum = 0.0;
+    for (int side = 0; side < 2; side++) {
+        float lobe[4];
+        const struct tsu_i_dual_moments moments = {lobe_number(solved, side, front, u),
+                                                   lobe_number(solved, 2 + side, front, u)};
+        tsu_i_dual_lobe(&moments, lobe);
+        const double cos_r = cos(theta), sin_r = sin(theta);
+        for (int i = 0; i < NODES; i++) {
+            const double in = (i + 0.5) * step - 0.5 * TSU_I_PI, c = cos(in), s = sin(in);
+            const double x = fabs(cos_r * c * lobe[0] + c * sin_r * lobe[1]);
+            const double root = fmax(1.4022 * x - 0.5655, 0.5824 * x + 0.3167);
+            sum += 0.5 * step * c *
+                   exp2(lobe[2] - lobe[0] * s * sin_r + lobe[1] * s * cos_r + x) / sqrt(root);
+        }
+    }
+    return sum;
+}
+
+static void field(const struct dual_state *state, const struct layer_solved *solved, double theta,
+                  int column, float out[4])
+{
+    const struct tsu_i_turn turn = turn_of(state, theta, column);
+    const struct tsu_i_stream stream = tsu_i_two_stream(&turn, state->fiber.eta, state->gamma);
+    const double u = (double)column / (LAYER_WIDTH - 1);
+    const double logit = log(stream.r / (1.0 - stream.r)) + correction(solved, 1, theta, u);
+    out[0] =
+        (float)(TSU_I_LOG2E * 2.0 / TSU_I_PI * stream.k * exp(correction(solved, 0, theta, u)));
+    out[1] = (float)(1.0 / (1.0 + exp(-logit)));
+    const double powers = lobe_powers(solved, theta, u);
+    out[2] = (float)((stream.backward + correction(solved, 2, theta, u)) / powers);
+    out[3] = (float)((stream.forward + correction(solved, 3, theta, u)) / powers);
 }
 
 void tsu_i_layer_finish(const void *opaque, float *texels)
