@@ -134,6 +134,8 @@ void Renderer::sky(const Frame &frame)
     program.set("u_variation", frame.variation);
     program.set("u_samples", frame.sky_samples);
     program.set("u_sky_lights", float(frame.sky.size()));
+    gl_.Uniform4fv(gl_.GetUniformLocation(program.id(), "u_surroundings"), 9,
+                   frame.surroundings.data());
     strands_->bind();
     gl_.BindVertexArray(empty_);
     gl_.DrawArrays(GL_TRIANGLES, 0, 3);

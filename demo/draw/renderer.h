@@ -43,6 +43,8 @@ struct Frame {
     std::vector<Light> lights; // evaluated in each pixel; at most lights_most
     std::vector<Light> sky;    // a uniform sky, evaluated in each point of a strand; at most
                                // sky_most directions, in which its shadow is looked up
+    bool surrounded = false;   // light the strands by `surroundings`, and not by the sky's lights
+    std::array<float, 36> surroundings{}; // record of an environment (tsuya/light.h)
     glm::vec3 background{0.0f};
     glm::vec3 skin{0.32f, 0.22f, 0.17f}; // albedo of the head
     bool head = true;

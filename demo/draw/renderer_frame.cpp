@@ -12,6 +12,19 @@ Expected<bool> Renderer::draw(const Frame &frame)
         return Error{"a frame must have at most " + std::to_string(lights_most) +
                      " lights and as many for the sky"};
     }
+    bool areas = false;
+    for (std::size_t i = 0; i < frame.lights.size(); i++) {
+        const bool area = frame.lights[i].record[3] > 0.0f;
+        if (area && i >= std::size_t(areas_most)) {
+            return Error{"lights with a place or a size must be among the first " +
+                         std::to_string(areas_most) + " of a frame"};
+        }
+        areas = areas || area;
+    }
+    const Expected<bool> ready = shading_->light(areas, frame.surrounded);
+    if (!ready) {
+        return Error{ready.error()};
+    }
     const int width = frame.width * frame.supersample, height = frame.height * frame.supersample;
     GLint most = 0;
     gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &most);

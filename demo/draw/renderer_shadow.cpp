@@ -144,6 +144,17 @@ void Renderer::lights(const Program &program, const Frame &frame, Which which) c
     program.set("u_groups_end", which == Which::lights ? middle : end);
     program.set("u_light_direction", directions);
     program.set("u_light_color", colors);
+    std::vector<float> records;
+    const std::size_t areas = std::min(frame.lights.size(), std::size_t(areas_most));
+    for (std::size_t i = 0; i < areas && which == Which::lights; i++) {
+        const std::array<float, 16> &record = frame.lights[i].record;
+        records.insert(records.end(), record.begin(), record.end());
+    }
+    program.set("u_areas", int(records.size() / 16));
+    if (!records.empty()) {
+        gl_.Uniform4fv(gl_.GetUniformLocation(program.id(), "u_area"), GLsizei(records.size() / 4),
+                       records.data());
+    }
     program.set("u_loss", frame.loss);
     program.set("u_fibres", 3);
     const bool dimmed = frame.shadow != Shadow::none && !directions.empty();

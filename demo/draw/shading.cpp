@@ -4,6 +4,7 @@
 #include <tsuya/models/opacity_shadow.h>
 #include <tsuya/set.h>
 
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <utility>
@@ -119,7 +120,8 @@ Expected<uint32_t> inputs_of(const tsu_model *model, std::string &variant)
 }
 
 // Macros between the library's text and the demo's: how this model takes the shadow.
-Expected<std::string> glue(const tsu_model *model, std::string variant, bool &beyond)
+Expected<std::string> glue(const tsu_model *model, std::string variant, bool areas,
+                           bool surrounded, bool &beyond)
 {
     const Expected<uint32_t> inputs = inputs_of(model, variant);
     if (!inputs) {
@@ -153,6 +155,11 @@ Expected<std::string> glue(const tsu_model *model, std::string variant, bool &be
         defines += "#define BEYOND 1\n";
     }
     // The material is the only one of its page.
+    // Where light is looked for, see tsuya/light.h.
+    defines += std::string(areas ? "#define AREAS 1\n" : "") +
+               (surrounded ? "#define SURROUNDED 1\n" : "");
+    defines += std::string("uniform vec2 u_lobe;\n#define FIBER tsu_light_") +
+               (name == "tsu_kajiya_kay" ? "cone" : "lobes") + "(u_lobe.x, u_lobe.y)\n";
     return "\n" + defines + "#define HAIR(t, l, v, sigma_a, shadow) " + name + "_sum(" + name +
            (variant.empty() ? "" : "_" + variant) + "_eval(0, t, l, v, sigma_a" + extra + "))\n";
 }
@@ -164,6 +171,7 @@ Expected<std::string> Shading::library(const std::vector<const tsu_model *> &mod
     tsu_shader_desc desc;
     tsu_shader_desc_init(&desc);
     desc.target = gl_.es ? TSU_TARGET_300ES : TSU_TARGET_330;
+    desc.flags = areas_ || surrounded_ ? TSU_SHADER_LIGHTS : 0;
     desc.model_count = uint32_t(models.size());
     desc.models = models.data();
     tsu_shader *shader = nullptr;
@@ -180,7 +188,7 @@ Expected<std::string> Shading::library(const std::vector<const tsu_model *> &mod
 Expected<Shading::Programs> Shading::build(const tsu_model *model, const std::string &variant)
 {
     bool beyond = false;
-    const Expected<std::string> macros = glue(model, variant, beyond);
+    const Expected<std::string> macros = glue(model, variant, areas_, surrounded_, beyond);
     if (!macros) {
         return Error{macros.error()};
     }
@@ -248,6 +256,20 @@ Expected<const Shading::MapPrograms *> Shading::maps(const tsu_model *technique)
     return Expected<const MapPrograms *>(&map_programs_);
 }
 
+void Shading::read_lobe(const tsu_model *model, const void *params)
+{
+    tsu_parameter_info info;
+    tsu_parameter_info_init(&info);
+    for (uint32_t i = 0; tsu_model_parameter(model, i, &info) == TSU_OK; i++) {
+        const char *field = static_cast<const char *>(params) + info.offset;
+        if (std::strcmp(info.name, "alpha_R") == 0) {
+            std::memcpy(&alpha_R_, field, sizeof alpha_R_);
+        } else if (std::strcmp(info.name, "beta_R") == 0) {
+            std::memcpy(&beta_R_, field, sizeof beta_R_);
+        }
+    }
+}
+
 Expected<bool> Shading::set(const tsu_model *model, const void *params,
                             const std::string &variant)
 {
@@ -285,10 +307,17 @@ Expected<bool> Shading::set(const tsu_model *model, const void *params,
     if (status != TSU_OK) {
         return failed("the material is refused", status);
     }
+    read_lobe(model, params);
     return true;
 }
 
 Expected<bool> Shading::reload()
+{
+    technique_ = nullptr;
+    return rebuild();
+}
+
+Expected<bool> Shading::rebuild()
 {
     if (model_) {
         Expected<Programs> programs = build(model_, variant_);
@@ -297,14 +326,30 @@ Expected<bool> Shading::reload()
         }
         programs_ = std::move(*programs);
     }
-    technique_ = nullptr;
     return true;
+}
+
+Expected<bool> Shading::light(bool areas, bool surrounded)
+{
+    const bool before[2] = {areas_, surrounded_};
+    areas_ = areas;
+    surrounded_ = surrounded;
+    if (areas == before[0] && surrounded == before[1]) {
+        return true;
+    }
+    Expected<bool> built = rebuild();
+    if (!built) {
+        areas_ = before[0];
+        surrounded_ = before[1];
+    }
+    return built;
 }
 
 const Program &Shading::bind(const Program &program)
 {
     gl_.UseProgram(program.id());
     tsu_gl_bind(guest_, material_ / TSU_PAGE_MATERIALS, unit, block);
+    program.set("u_lobe", alpha_R_, beta_R_);
     return program;
 }
 

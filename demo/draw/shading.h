@@ -38,6 +38,11 @@ class Shading
     Expected<bool> set(const tsu_model *model, const void *params,
                        const std::string &variant = {});
 
+    // Programs for frames whose lights have places or sizes, and for frames with surroundings: both
+    // cost time where they are not needed. Built when this changes.
+    // Errors: a shader that does not compile; the state is then as before.
+    Expected<bool> light(bool areas, bool surrounded);
+
     // Read all GLSL again. Errors: it does not compile; the old program stays.
     Expected<bool> reload();
 
@@ -85,6 +90,8 @@ class Shading
     Expected<MapPrograms> build_maps(const tsu_model *technique);
     Expected<Programs> build(const tsu_model *model, const std::string &variant);
     const Program &bind(const Program &program);
+    Expected<bool> rebuild();
+    void read_lobe(const tsu_model *model, const void *params);
     static void log(void *user, int32_t level, int32_t code, const char *text);
     static int32_t read(void *user, const char *name, const char **text, size_t *size);
     Error failed(const char *what, tsu_status status) const;
@@ -97,6 +104,8 @@ class Shading
     const tsu_model *model_ = nullptr;
     std::string variant_;
     uint32_t material_ = 0;
+    bool areas_ = false, surrounded_ = false;
+    float alpha_R_ = 0.0f, beta_R_ = 0.1f; // of the material
     Programs programs_;
     const tsu_model *technique_ = nullptr;
     MapPrograms map_programs_;

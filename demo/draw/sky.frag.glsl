@@ -10,6 +10,9 @@ uniform highp sampler2D u_strands;
 uniform mat4 u_model;
 uniform vec3 u_eye;
 uniform int u_samples;
+#ifdef SURROUNDED
+uniform vec4 u_surroundings[9];
+#endif
 uniform float u_sky_lights; // lights that the sky is made of
 out vec4 o_color;
 
@@ -74,6 +77,36 @@ vec3 albedo(vec3 t, vec3 v, vec3 sigma_a, vec3 place, vec3 position, vec2 start)
     return sum / float(u_samples);
 }
 
+#ifdef SURROUNDED
+// The same from surroundings that are not uniform: radiance comes from where it is, and a model
+// that knows no shadow is dimmed by what the hair lets through in the mean, as under the dome.
+vec3 surrounded(vec3 t, vec3 v, vec3 sigma_a, vec3 place, vec3 position)
+{
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < tsu_environment_count(u_surroundings); i++) {
+        vec3 l;
+        vec3 weight = tsu_environment_sample(u_surroundings, FIBER, t, v, i, l);
+        tsu_hair_shadow shadow = tsu_hair_shadow_none();
+#ifdef SCATTERS
+        sky_light(place, position, l, shadow);
+#endif
+        sum += weight * HAIR(t, l, v, sigma_a, shadow);
+    }
+#ifndef SCATTERS
+    vec3 let_through = vec3(0.0), all = vec3(1e-20);
+    for (int k = u_groups_begin; k < u_groups_end; k++) {
+        vec4 count = fibres(place, k);
+        for (int i = 0; i < 4; i++) {
+            let_through += exp(-u_loss * count[i]) * u_light_color[4 * k + i];
+            all += u_light_color[4 * k + i];
+        }
+    }
+    sum *= let_through / all;
+#endif
+    return sum;
+}
+#endif
+
 void main()
 {
     ivec2 size = textureSize(u_points, 0);
@@ -89,6 +122,11 @@ void main()
     vec3 t = normalize(after - before);
 
     vec3 place_in_grid = grid_place(here);
+#ifdef SURROUNDED
+    o_color = vec4(surrounded(t, normalize(u_eye - here), strand_sigma_a(strand.z), place_in_grid,
+                              here),
+                   1.0);
+#else
     vec2 start = fract(vec2(float(index % 8191) * 0.61803399, float(index % 8179) * 0.41421356) +
                        strand.z);
     vec3 scattered = albedo(t, normalize(u_eye - here), strand_sigma_a(strand.z), place_in_grid,
@@ -105,5 +143,6 @@ void main()
         }
     }
     o_color = vec4(irradiance / 12.5663706 * scattered, 1.0);
+#endif
 #endif
 }

@@ -1,4 +1,5 @@
 #include "scene/build.h"
+#include "scene/light.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -83,9 +84,8 @@ std::vector<draw::Light> lights(const Scene &scene)
                               glm::vec3(float(light.irradiance))});
         }
     }
-    for (const auto &[index, light] : scene.lights) {
-        result.push_back({glm::vec3(glm::normalize(light.direction)),
-                          glm::vec3(light.color * light.intensity)});
+    for (const auto &own : scene.lights) {
+        result.push_back(own_light(own.second));
     }
     return result;
 }

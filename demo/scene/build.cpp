@@ -208,8 +208,25 @@ Expected<Material> material(const Scene &scene)
     return Expected<Material>(std::move(result));
 }
 
+namespace {
+
+// The dome becomes the surroundings' constant, and the sky's lights get their radiance: what the
+// head is lit by, and the directions in which shadow is looked up.
+void surround(const Surroundings &around, const Scene &scene, draw::Frame &frame)
+{
+    frame.lights.insert(frame.lights.begin(), around.dominant.begin(), around.dominant.end());
+    frame.surrounded = true;
+    frame.surroundings = around.record;
+    for (int k = 0; k < 3; k++) {
+        frame.surroundings[std::size_t(k)] += float(scene.dome * scene.dome_color[k]);
+    }
+    frame.sky = draw::sky(frame.surroundings, 20);
+}
+
+} // namespace
+
 draw::Frame frame(const Scene &scene, const Hair &hair, const Material &material, double turn,
-                  bool turntable)
+                  bool turntable, const Surroundings &around)
 {
     draw::Frame frame;
     frame.width = scene.width;
@@ -217,6 +234,9 @@ draw::Frame frame(const Scene &scene, const Hair &hair, const Material &material
     frame.supersample = scene.supersample;
     frame.lights = lights(scene);
     frame.sky = sky(scene);
+    if (around.there) {
+        surround(around, scene, frame);
+    }
     frame.sky_samples = scene.dome_samples;
     frame.background = glm::vec3(scene.background);
     frame.head = scene.head == "auto";

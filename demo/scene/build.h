@@ -4,6 +4,7 @@
 
 #include "draw/renderer.h"
 #include "groom/generate.h"
+#include "scene/light.h"
 #include "scene/scene.h"
 
 #include <tsuya/model.h>
@@ -53,9 +54,10 @@ std::vector<draw::Light> sky(const Scene &scene);
 
 // Everything but the material's parameters. `frames` of a turntable share one camera distance.
 //
-//   turn  degrees added to the scene's turn_deg
+//   turn    degrees added to the scene's turn_deg
+//   around  surroundings() of the scene, beside its dome
 draw::Frame frame(const Scene &scene, const Hair &hair, const Material &material,
-                  double turn = 0.0, bool turntable = false);
+                  double turn = 0.0, bool turntable = false, const Surroundings &around = {});
 
 // Camera of a frame alone, for a window that moves it.
 void aim(const Scene &scene, const Hair &hair, bool turntable, draw::Frame &frame);

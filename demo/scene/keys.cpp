@@ -127,6 +127,9 @@ std::vector<Key> make_keys()
                  "rig of lights; lightN.* adds to it"),
         number_key("light", "dome", &Scene::dome, 0.0, 1e4, "radiance of a uniform sky"),
         triple_key("light", "dome.color", &Scene::dome_color, 0.0, 1e4, "factor on dome"),
+        environment_key(),
+        number_key("light", "environment.intensity", &Scene::environment_intensity, 0.0, 1e4,
+                   "factor on its radiance"),
         integer_key("light", "dome.samples", &Scene::dome_samples, 1, 256,
                     "light directions for the sky, in each point of a strand"),
         word_key("light", "shadow", &Scene::shadow,
@@ -168,39 +171,6 @@ const std::vector<Key> &keys()
 {
     static const std::vector<Key> all = make_keys();
     return all;
-}
-
-std::vector<Key> light_keys(int index)
-{
-    const std::string prefix = "light" + std::to_string(index) + ".";
-    const auto has = [=](const Scene &s) { return s.lights.count(index) > 0; };
-    return {
-        {prefix + "direction", "light", "x,y,z each in [-1000000, 1000000], not all 0",
-         "towards the light",
-         [=](Scene &scene, const std::string &text) -> std::string {
-             glm::dvec3 value{0.0};
-             std::string wrong = read_triple(text, -1e6, 1e6, value);
-             if (wrong.empty() && glm::length(value) < 1e-6) {
-                 wrong = "is 0,0,0";
-             }
-             if (wrong.empty()) {
-                 scene.lights[index].direction = value;
-             }
-             return wrong;
-         },
-         [=](const Scene &s) { return has(s) ? triple_text(s.lights.at(index).direction) : ""; }},
-        {prefix + "color", "light", "r,g,b each in [0, 10000]", "linear, default 1,1,1",
-         [=](Scene &scene, const std::string &text) {
-             return read_triple(text, 0.0, 1e4, scene.lights[index].color);
-         },
-         [=](const Scene &s) { return has(s) ? triple_text(s.lights.at(index).color) : ""; }},
-        {prefix + "intensity", "light", "[0, 10000]",
-         "irradiance on a plane that faces the light, default 3",
-         [=](Scene &scene, const std::string &text) {
-             return read_number(text, 0.0, 1e4, scene.lights[index].intensity);
-         },
-         [=](const Scene &s) { return has(s) ? number_text(s.lights.at(index).intensity) : ""; }},
-    };
 }
 
 bool find_key(const std::string &name, Key &key)

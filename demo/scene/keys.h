@@ -33,6 +33,7 @@ void add_material_keys(std::vector<Key> &keys);
 
 // The keys of light `index`.
 std::vector<Key> light_keys(int index);
+Key environment_key();
 
 // Numbers without a locale: the shortest text that reads back to the same value.
 std::string number_text(double value);

@@ -200,7 +200,9 @@ std::string grammar()
 
 bool SceneLight::operator==(const SceneLight &o) const
 {
-    return direction == o.direction && color == o.color && intensity == o.intensity;
+    return direction == o.direction && color == o.color && intensity == o.intensity &&
+           kind == o.kind && angle == o.angle && position == o.position && facing == o.facing &&
+           width == o.width && height == o.height && sides == o.sides;
 }
 
 bool Scene::operator==(const Scene &other) const

@@ -115,6 +115,10 @@ int render(const scene::Scene &scene, const std::string &path, int frames, std::
     if (!material) {
         return complain(material.error());
     }
+    const groom::Expected<scene::Surroundings> around = scene::surroundings(scene);
+    if (!around) {
+        return complain(around.error());
+    }
     progress("reading or growing hair");
     const groom::Expected<scene::Hair> hair = scene::hair(scene);
     if (!hair) {
@@ -140,7 +144,7 @@ int render(const scene::Scene &scene, const std::string &path, int frames, std::
     for (int i = 0; i < frames; i++) {
         progress("drawing " + std::to_string(i + 1) + " of " + std::to_string(frames));
         const double turn = 360.0 * double(i) / double(frames);
-        const draw::Frame frame = scene::frame(scene, *hair, *material, turn, frames > 1);
+        const draw::Frame frame = scene::frame(scene, *hair, *material, turn, frames > 1, *around);
         const Clock one;
         const groom::Expected<bool> drawn = renderer.draw(frame);
         if (!drawn) {

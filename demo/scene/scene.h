@@ -24,11 +24,17 @@ using groom::Expected;
 
 constexpr int lights_most = 32; // light0 .. light31
 
-// One directional light of its own.
+// One light of its own.
 struct SceneLight {
     glm::dvec3 direction{0.0, 0.0, 1.0}; // towards the light, any length above 0
     glm::dvec3 color{1.0};
-    double intensity = 3.0; // irradiance on a plane that faces the light
+    double intensity = 3.0; // irradiance, intensity or radiance: see the keys
+    std::string kind = "directional"; // point, rect, disk
+    double angle = 0.0;               // degrees
+    glm::dvec3 position{0.0, 1.0, 1.0};
+    glm::dvec3 facing{0.0}; // 0: towards the origin
+    double width = 0.5, height = 0.5;
+    double sides = 1.0;
 
     bool operator==(const SceneLight &other) const;
 };
@@ -66,6 +72,8 @@ struct Scene {
     std::map<int, SceneLight> lights;
     double dome = 1.5;
     glm::dvec3 dome_color{1.0};
+    std::string environment = "none"; // gradient, sunset, window, file:PATH
+    double environment_intensity = 1.0;
     int dome_samples = 24;
     std::string shadow = "grid";
     int shadow_layers = 8;

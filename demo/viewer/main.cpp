@@ -140,7 +140,11 @@ class Session
         if (!set) {
             return set;
         }
-        frame_ = scene::frame(scene_, hair_, *material);
+        const groom::Expected<scene::Surroundings> around = scene::surroundings(scene_);
+        if (!around) {
+            return groom::Error{around.error()};
+        }
+        frame_ = scene::frame(scene_, hair_, *material, 0.0, false, *around);
         groom::Expected<bool> drawn = renderer_.draw(frame_);
         renderer_.finish();
         drawn_ = true;

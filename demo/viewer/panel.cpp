@@ -109,6 +109,8 @@ void lights(scene::Scene &scene)
 {
     pick("lights", scene.light, {"key", "front", "side", "back", "none"});
     slide("dome", scene.dome, 0.0, 10.0);
+    // A file is chosen on the command line and stays until another is picked.
+    pick("surroundings", scene.environment, {"none", "gradient", "sunset", "window"});
     pick("hair shadow", scene.shadow, {"grid", "deep_opacity", "opacity_shadow", "none"});
     slide("exposure", scene.exposure, -5.0, 5.0);
     bool film = scene.tone == "film";

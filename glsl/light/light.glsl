@@ -205,13 +205,15 @@ tsu_light tsu_light_begin(vec4 record[4], tsu_light_fiber fiber, vec3 position, 
         azimuths = vec2(-3.14159265, 3.14159265);
     }
     light.range = vec2(tsu_light_stretch(azimuths.x, 0.5), tsu_light_stretch(azimuths.y, 0.5));
+    // Eight heights of a half circle overstate its area by 1.354 %.
+    float cell = (light.range.y - light.range.x) / 8.0 *
+                 (light.disk && azimuths.y - azimuths.x < 6.28 ? 0.98664 : 1.0);
     for (int k = 0; k < 8; k++) {
         vec3 m;
         float azimuth;
         vec4 slice = tsu_light_slice(
             light, mix(light.range.x, light.range.y, (float(k) + 0.5) / 8.0), m, azimuth);
-        light.share[k + 1] =
-            light.share[k] + (slice.w - slice.z) * (light.range.y - light.range.x) / 8.0;
+        light.share[k + 1] = light.share[k] + (slice.w - slice.z) * cell;
     }
     light.count = light.share[8] > 0.0 ? int(record[1].w + 0.5) : 0;
     return light;
