@@ -4,9 +4,9 @@
 // A lobe is narrow in the inclination theta of the light and lies near the mirror cone, theta_i =
 // -theta_r. Directions follow a Cauchy density in theta around a shifted mirror cone; its centre
 // and width go over from one pair of numbers in front of the fibre to another behind it, where
-// light shines straight through in a lobe half as wide. In the azimuth the density is that of a stretched
-// half angle, twice the mean behind the fibre and half of it in front. The numbers were fitted to
-// the error that tests/light measures.
+// light shines straight through in a lobe half as wide. In the azimuth the density is that of a
+// stretched half angle, twice the mean behind the fibre and half of it in front. The numbers were
+// fitted to the error that tests/light measures.
 
 struct tsu_light_fiber {
     vec2 front; // centre from the mirror cone and width, radians, of light on the viewer's side

@@ -30,8 +30,8 @@
 //
 // The mean itself is right within 1 % for areas and 2 % for surroundings. A rectangle (sides to
 // 1 : 3) errs half again as much as a disk, a light at the fibre's pole more than twice as much; of
-// single fibres, one in twenty is off by a quarter of the mean. White hair in uniform light gives back
-// 1 +- 0.02 in the mean over views, up to 1.2 at the worst. marschner under 1 sr by evaluations:
+// single fibres, one in twenty is off by a quarter of the mean. White hair in uniform light gives
+// back 1 +- 0.02 in the mean over views, up to 1.2 at the worst. marschner under 1 sr by evaluations:
 // 3 15 %, 5 11 %, 8 7 %, 13 5 %, 21 4 %, 34 3 %; under 0.2 sr: 3 10 %, 5 7 %, 8 5 %, 13 3 %. Above
 // 1 sr the error grows; a light whose plane holds the fibre makes up to 1.2 of its light.
 //
