@@ -28,7 +28,7 @@
 //   dual_scattering             3.6 %             4.7 %               7.0 %
 //   plane_parallel_hair         3.7 %             4.3 %               6.8 %
 //
-// The mean itself is right within 1 % for areas and 2 % for surroundings. A rectangle (sides to
+// The mean itself is right within 1 % for areas, 2.5 % for surroundings. A rectangle (sides to
 // 1 : 3) errs half again as much as a disk, a light at the fibre's pole more than twice as much; of
 // single fibres, one in twenty is off by a quarter of the mean. White hair in uniform light gives
 // back 1 +- 0.02 in the mean over views, up to 1.2 at the worst. marschner under 1 sr by evaluations:
