@@ -2,6 +2,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,7 @@ constexpr float opaque = 8.0f; // fibres a cell of the solid counts as
 
 } // namespace
 
-void Grid::splat(const glm::vec3 &place, float amount)
+void Grid::splat(const glm::vec3 &place, const glm::vec3 &tangent, float amount)
 {
     const glm::vec3 p = (place - corner_) / cell_ - 0.5f;
     const glm::vec3 base = glm::floor(p);
@@ -24,9 +25,11 @@ void Grid::splat(const glm::vec3 &place, float amount)
         const int x = c & 1, y = c >> 1 & 1, z = c >> 2;
         const float share = (x ? f.x : 1.0f - f.x) * (y ? f.y : 1.0f - f.y) *
                             (z ? f.z : 1.0f - f.z);
-        density_[index(std::clamp(int(base.x) + x, 0, size_.x - 1),
-                       std::clamp(int(base.y) + y, 0, size_.y - 1),
-                       std::clamp(int(base.z) + z, 0, size_.z - 1))] += share * amount;
+        const std::size_t cell = index(std::clamp(int(base.x) + x, 0, size_.x - 1),
+                                       std::clamp(int(base.y) + y, 0, size_.y - 1),
+                                       std::clamp(int(base.z) + z, 0, size_.z - 1));
+        density_[cell] += share * amount;
+        along_[cell] += glm::outerProduct(tangent, tangent) * (share * amount);
     }
 }
 
@@ -42,6 +45,7 @@ void Grid::fill(const groom::Groom &groom, const Solid &solid, float width_scale
     corner_ = lower - 1.5f * cell_;
     size_ = glm::ivec3(glm::ceil(extent / cell_)) + 3;
     density_.assign(std::size_t(size_.x) * std::size_t(size_.y) * std::size_t(size_.z), 0.0f);
+    along_.assign(density_.size(), glm::mat3(0.0f));
 
     const float volume = cell_ * cell_ * cell_;
     for (std::size_t s = 0; s < groom.strands(); s++) {
@@ -52,10 +56,10 @@ void Grid::fill(const groom::Groom &groom, const Solid &solid, float width_scale
                                      ? groom.constant_radius
                                      : 0.5f * (groom.radius[i] + groom.radius[i + 1]);
             const int parts = 1 + int(std::min(length / (0.5f * cell_), 1000.0f));
-            const float amount = 0.7853982f * 2.0f * radius * width_scale * length /
-                                 (float(parts) * volume);
+            const float amount = 2.0f * radius * width_scale * length / (float(parts) * volume);
+            const glm::vec3 tangent = length > 0.0f ? (b - a) / length : glm::vec3(0.0f);
             for (int k = 0; k < parts; k++) {
-                splat(glm::mix(a, b, (float(k) + 0.5f) / float(parts)), amount);
+                splat(glm::mix(a, b, (float(k) + 0.5f) / float(parts)), tangent, amount);
             }
         }
     }
@@ -90,6 +94,11 @@ std::vector<float> Grid::sweep(const glm::vec3 &direction) const
     const std::size_t stride[3] = {1, std::size_t(size_.x),
                                    std::size_t(size_.x) * std::size_t(size_.y)};
 
+    std::vector<float> met(density_.size()); // fibres per metre of this way
+    for (std::size_t c = 0; c < met.size(); c++) {
+        const float whole = density_[c], along = glm::dot(direction, along_[c] * direction);
+        met[c] = std::sqrt(std::max(whole * (whole - along), 0.0f));
+    }
     std::vector<float> fibres(density_.size());
     const int last = step > 0 ? size_[w] - 1 : 0;
     for (int n = 0; n < size_[w]; n++) {
@@ -99,7 +108,7 @@ std::vector<float> Grid::sweep(const glm::vec3 &direction) const
                 const std::size_t here = std::size_t(k) * stride[w] + std::size_t(j) * stride[v] +
                                          std::size_t(i) * stride[u];
                 // A fibre is not in its own shadow, so of the own cell nearly half is left out.
-                float sum = 0.25f * density_[here] * way;
+                float sum = 0.25f * met[here] * way;
                 if (n > 0) {
                     const float x = std::clamp(float(i) + du, 0.0f, float(size_[u] - 1));
                     const float y = std::clamp(float(j) + dv, 0.0f, float(size_[v] - 1));
@@ -110,7 +119,7 @@ std::vector<float> Grid::sweep(const glm::vec3 &direction) const
                                            std::size_t(y0) * stride[v] +
                                            std::size_t(x0) * stride[u];
                     const auto value = [&](std::size_t c) {
-                        return fibres[c] + 0.75f * density_[c] * way;
+                        return fibres[c] + 0.75f * met[c] * way;
                     };
                     sum += (1.0f - fy) * ((1.0f - fx) * value(at) + fx * value(at + stride[u])) +
                            fy * ((1.0f - fx) * value(at + stride[v]) +

@@ -1,13 +1,16 @@
 // How much hair lies between a point and a light: a cheap self-shadow that fits every model.
 //
 // Hair is spread over the cells of a grid as optical density, fibres per metre of a straight way: a
-// fibre of length s and diameter w in a volume V is met w s (pi/4) / V times per metre, pi/4 being
-// the mean sine between a fibre and the way. A sweep from the light through the grid adds it up.
+// fibre of length s and diameter w in a volume V is met w s sin(a) / V times per metre, a being the
+// angle between fibre and way. A cell keeps w s / V and the mean of t t^T over its fibres' tangents t,
+// of which sqrt(1 - d.(t t^T) d) is the mean sine for a way d, exact where a cell's fibres are
+// parallel. A sweep from the light through the grid adds it up.
 #ifndef TSUYA_DRAW_GRID_H
 #define TSUYA_DRAW_GRID_H
 
 #include "groom/groom.h"
 
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
 #include <vector>
@@ -44,7 +47,7 @@ class Grid
     {
         return cell_;
     }
-    // Fibres per metre of each cell, as sweep() orders them.
+    // Fibres per metre of each cell across all of them, as sweep() orders them.
     const std::vector<float> &density() const
     {
         return density_;
@@ -56,12 +59,13 @@ class Grid
         return (std::size_t(z) * std::size_t(size_.y) + std::size_t(y)) * std::size_t(size_.x) +
                std::size_t(x);
     }
-    void splat(const glm::vec3 &place, float amount);
+    void splat(const glm::vec3 &place, const glm::vec3 &tangent, float amount);
 
     glm::ivec3 size_{0};
     glm::vec3 corner_{0.0f};
     float cell_ = 1.0f;
-    std::vector<float> density_;
+    std::vector<float> density_; // w s / V
+    std::vector<glm::mat3> along_; // the same times t t^T
 };
 
 } // namespace tsuya::draw
