@@ -1,0 +1,28 @@
+#!/usr/bin/env python3
+"""A whole head of white hair in a sky of radiance 1: usage furnace_test.py TSUYA
+
+Hair without absorption sends back all that falls on it, so the head vanishes: its luminance is 1.
+Holds plane_parallel_hair to 3 %, as its header promises; prints the closed form, the method as
+published and the fibre alone, which have no such bound."""
+import re
+import subprocess
+import sys
+import tempfile
+
+tsuya = sys.argv[1]
+SCENE = ['straight-brown', 'color=white', 'light=none', 'dome=1', 'head=none', 'background=1,1,1',
+         'strands=3000', 'width_scale=6', 'size=80x80', 'variation=0']
+MODELS = {'plane_parallel': ['model=plane_parallel_hair'], 'exact': ['model=dual_scattering'],
+          'zinke': ['model=dual_scattering', 'variant=zinke'], 'fibre alone': ['model=marschner']}
+failed = 0
+for groom in 'straight', 'curly':
+    for name, words in MODELS.items():
+        with tempfile.NamedTemporaryFile(suffix='.exr') as picture:
+            said = subprocess.run([tsuya, 'render', *SCENE, f'groom={groom}', *words, '-o', picture.name],
+                                  capture_output=True, text=True, check=True).stdout
+        value = float(re.search(r'hair luminance\s+([0-9.]+)', said).group(1))
+        held = name == 'plane_parallel'
+        good = not held or abs(value - 1) <= 0.03
+        failed += not good
+        print(f'{groom:9}{name:16}{value:.4f}', '' if good else 'is not 1 +- 0.03')
+sys.exit(failed > 0)
