@@ -1,27 +1,59 @@
 #include "reference/world.h"
 
-#include <tsuya/models/marschner.h>
+#include <tsuya/model.h>
 
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 
 #include <algorithm>
+#include <cstring>
 
 namespace tsuya::reference {
 
+namespace {
+
+// A material's parameter by the model's name for it; none: NULL.
+const float *parameter(const scene::Material &material, const char *name)
+{
+    tsu_parameter_info info;
+    tsu_parameter_info_init(&info);
+    for (uint32_t i = 0; tsu_model_parameter(material.model, i, &info) == TSU_OK; i++) {
+        if (!std::strcmp(info.name, name)) {
+            return reinterpret_cast<const float *>(
+                reinterpret_cast<const char *>(material.params.data()) + info.offset);
+        }
+    }
+    return nullptr;
+}
+
+} // namespace
+
 Expected<FiberParams> fiber_params(const scene::Scene &scene, const scene::Material &material)
 {
-    if (material.model != tsu_marschner()) {
-        return Error{"model is " + scene.model +
-                     " but the reference traces marschner alone; say model=marschner"};
-    }
-    const auto *from = reinterpret_cast<const tsu_marschner_params *>(material.params.data());
     FiberParams params;
-    params.eta = double(from->eta);
-    params.alpha_R = double(from->alpha_R);
-    params.beta_R = double(from->beta_R);
-    params.beta_az = double(from->beta_az);
-    params.scale_shifts = double(from->scale_shifts);
+    double *const fields[] = {&params.eta, &params.alpha_R, &params.beta_R, &params.beta_az,
+                              &params.scale_shifts};
+    const char *const names[] = {"eta", "alpha_R", "beta_R", "beta_az", "scale_shifts"};
+    // What multiply scattering models add is what the paths do anyway.
+    for (std::size_t i = 0; i < 5; i++) {
+        const float *const from = parameter(material, names[i]);
+        if (!from) {
+            return Error{"model is " + scene.model + ", which has no " + names[i] +
+                         " for the reference to trace; say model=marschner"};
+        }
+        *fields[i] = double(*from);
+    }
+    // Lights that this tracer would turn into something else.
+    for (const auto &light : scene.lights) {
+        if (light.second.kind != "directional" || light.second.angle != 0.0) {
+            return Error{"light" + std::to_string(light.first) +
+                         " has a place or a size; the reference traces directional lights alone"};
+        }
+    }
+    if (scene.environment != "none") {
+        return Error{"environment is " + scene.environment +
+                     " but the reference traces lights and dome alone; say environment=none"};
+    }
     params.sigma_a = material.sigma_a;
     params.variation = scene.variation;
     return Expected<FiberParams>(params);

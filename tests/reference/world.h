@@ -7,7 +7,8 @@
 
 namespace tsuya::reference {
 
-// The fibre of a scene's material. Errors: its model is not marschner.
+// The fibre of a scene's material. Errors: its model has no such fibre; a light or surroundings that
+// paths here do not know.
 Expected<FiberParams> fiber_params(const scene::Scene &scene, const scene::Material &material);
 
 // Strands of a groom in the world: placed, widened, tapered, with tangents as the renderer has
