@@ -1,5 +1,5 @@
-// Dual scattering against the transport of light in slabs of parallel fibres: the reference, and the
-// tables through the shader's twin in C.
+// Dual scattering against the transport of light in slabs of parallel fibres: the reference, and
+// the tables through the shader's twin in C.
 #include "slab_rows.h"
 #include "slab_truth.h"
 

@@ -9,8 +9,8 @@ static const double degree = 0.0174532925199432958;
 
 void slab_default(double in[SLAB_INPUTS])
 {
-    const double fiber[SLAB_INPUTS] = {0, 0, 1, 1.55, -7.5 * degree, 7.5 * degree, 10 * degree,
-                                       0, 0};
+    const double fiber[SLAB_INPUTS] = {0,           0, 1, 1.55, -7.5 * degree, 7.5 * degree,
+                                       10 * degree, 0, 0};
     memcpy(in, fiber, sizeof fiber);
 }
 

@@ -18,7 +18,8 @@ static void hold(const char *what, double value, double bound)
 
 static struct walk_fiber default_fiber(double sigma_a, int lobe)
 {
-    return (struct walk_fiber){1.55, sigma_a, 10.0 * degree, -7.5 * degree, 7.5 * degree, 0.0, lobe};
+    return (struct walk_fiber){1.55,         sigma_a, 10.0 * degree, -7.5 * degree,
+                               7.5 * degree, 0.0,     lobe};
 }
 
 // Both have errors: the difference in units of their sum's deviation.

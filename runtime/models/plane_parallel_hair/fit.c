@@ -84,9 +84,9 @@ static void evaluate(const struct ways *ways, const double x[UNKNOWNS], struct l
     }
 }
 
-// In units of the error allowed: 5 % or 0.01; then what layers without absorption gain. The last rows hold the unknowns near the closed form
-// where the layers say little about them, so that neighbours in inclination and absorption find the
-// same of several minima and may be interpolated.
+// In units of the error allowed: 5 % or 0.01; then what layers without absorption gain. The last
+// rows hold the unknowns near the closed form where the layers say little about them, so that
+// neighbours in inclination and absorption find the same of several minima and may be interpolated.
 static void residuals(const struct ways *ways, const struct layer_powers *truth,
                       const double start[UNKNOWNS], const double x[UNKNOWNS], double out[ROWS])
 {
