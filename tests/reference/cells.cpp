@@ -80,6 +80,14 @@ double processor_seconds()
     return double(std::clock()) / CLOCKS_PER_SEC;
 }
 
+draw::Frame frame_of(const scene::Scene &scene, const scene::Hair &hair,
+                     const scene::Material &material)
+{
+    draw::Frame frame = scene::frame(scene, hair, material);
+    frame.skin = glm::vec3(0.0f); // see cells.h
+    return frame;
+}
+
 Expected<bool> draw_one(scene::Studio &studio, const scene::Hair &hair, const Tier &tier,
                         Taken &taken)
 {
@@ -94,7 +102,7 @@ Expected<bool> draw_one(scene::Studio &studio, const scene::Hair &hair, const Ti
     draw::Renderer &renderer = studio.renderer();
     Expected<bool> good =
         renderer.material(material->model, material->params.data(), material->variant);
-    const draw::Frame frame = scene::frame(*scene, hair, *material);
+    const draw::Frame frame = frame_of(*scene, hair, *material);
     renderer.finish();
     const double begin = processor_seconds();
     good = good ? renderer.draw(frame) : std::move(good);
@@ -153,7 +161,7 @@ Expected<Result> trace(const Taken &taken, const Limits &limits)
     if (!hair || !material) {
         return Error{hair ? material.error() : hair.error()};
     }
-    const draw::Frame frame = scene::frame(taken.scene, *hair, *material);
+    const draw::Frame frame = frame_of(taken.scene, *hair, *material);
     const Expected<World> world =
         reference::world(taken.scene, *hair, *material, frame, limits.threads);
     if (!world) {
