@@ -7,7 +7,7 @@
 
 // Widest lobe and largest shift that d'Eon's lobe follows; light that has met more fibres than that
 // is spread over everything anyway.
-#define VARIANCE_MOST 0.35
+#define VARIANCE_MOST 0.27
 #define SHIFT_MOST 0.6
 
 // Shares with every lobe weighted by exp(alpha L + beta^2 L^2 / 2): the generating function of

@@ -42,6 +42,9 @@ float tsu_i_dual_material_place(const struct marschner_state *fiber);
 // The lobe of mean and variance as a, b, c of the record.
 struct tsu_i_dual_moments;
 void tsu_i_dual_lobe(const struct tsu_i_dual_moments *moments, float lobe[4]);
+// What the shader makes of a lobe's unit power for a view at theta_r: its I0e is a fit
+// (glsl/dual_scattering/eval.glsl) and errs by up to 3 % for wide lobes.
+double tsu_i_dual_lobe_power(const float lobe[4], double theta_r);
 
 // table.c
 void tsu_i_dual_bake_fields(const void *state, uint32_t row, void *scratch, float *texels);

@@ -107,6 +107,28 @@ void tsu_i_dual_lobe(const struct tsu_i_dual_moments *moments, float out[4])
     out[3] = 0.0f;
 }
 
+double tsu_i_dual_lobe_power(const float lobe[4], double theta_r)
+{
+    enum { NODES = 48 };
+    const double step = TSU_I_PI / NODES, cos_r = cos(theta_r), sin_r = sin(theta_r);
+    double sum = 0.0;
+    for (int i = 0; i < NODES; i++) {
+        const double in = (i + 0.5) * step - 0.5 * TSU_I_PI, c = cos(in), s = sin(in);
+        const double x = fabs(cos_r * c * lobe[0] + c * sin_r * lobe[1]);
+        const double root = fmax(1.4022 * x - 0.5655, 0.5824 * x + 0.3167);
+        sum += c * exp2(lobe[2] - lobe[0] * s * sin_r + lobe[1] * s * cos_r + x) / sqrt(root);
+    }
+    return sum * step;
+}
+
+// Of a white fibre's light the closed form keeps all but little: its lobes must not add more.
+static void keep_power(float lobe[4])
+{
+    const double side = 40.0 * TSU_I_PI / 180.0;
+    const double most = fmax(tsu_i_dual_lobe_power(lobe, -side), tsu_i_dual_lobe_power(lobe, side));
+    lobe[2] -= (float)log2(fmax(most - 0.01, 1.0));
+}
+
 void tsu_i_dual_bake_spread(const void *state, uint32_t row, void *scratch, float *texels)
 {
     (void)scratch;
@@ -122,6 +144,7 @@ void tsu_i_dual_bake_spread(const void *state, uint32_t row, void *scratch, floa
             struct tsu_i_dual_moments moments[2];
             tsu_i_dual_moments(&strand, &event, tsu_i_dual_front_node(i, SPREAD_WIDTH), moments);
             tsu_i_dual_lobe(moments + (row >= SPREAD_ROWS), texels + 4 * i);
+            keep_power(texels + 4 * i);
         }
         return;
     }

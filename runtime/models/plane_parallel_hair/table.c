@@ -104,27 +104,17 @@ static double lobe_number(const struct layer_solved solved[SOLVED_SIGMAS], int w
     return over_sigma(values, u);
 }
 
-// What the shader's lobes give back of unit power to a view at theta_r, both sides' mean behind a
-// few fibres: its I0e is a fit (glsl/dual_scattering/eval.glsl) and errs by up to 3 % for wide
-// lobes.
+// What the shader makes of the lobes' unit power, both sides' mean behind a few fibres.
 static double lobe_powers(const struct layer_solved *solved, double theta, double u)
 {
-    enum { NODES = 48 };
-    const double front = 8.0, step = TSU_I_PI / NODES;
+    const double front = 8.0;
     double sum = 0.0;
     for (int side = 0; side < 2; side++) {
         float lobe[4];
         const struct tsu_i_dual_moments moments = {lobe_number(solved, side, front, u),
                                                    lobe_number(solved, 2 + side, front, u)};
         tsu_i_dual_lobe(&moments, lobe);
-        const double cos_r = cos(theta), sin_r = sin(theta);
-        for (int i = 0; i < NODES; i++) {
-            const double in = (i + 0.5) * step - 0.5 * TSU_I_PI, c = cos(in), s = sin(in);
-            const double x = fabs(cos_r * c * lobe[0] + c * sin_r * lobe[1]);
-            const double root = fmax(1.4022 * x - 0.5655, 0.5824 * x + 0.3167);
-            sum += 0.5 * step * c * exp2(lobe[2] - lobe[0] * s * sin_r + lobe[1] * s * cos_r + x) /
-                   sqrt(root);
-        }
+        sum += 0.5 * tsu_i_dual_lobe_power(lobe, theta);
     }
     return sum;
 }
