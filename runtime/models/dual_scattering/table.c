@@ -126,7 +126,7 @@ static void keep_power(float lobe[4])
 {
     const double side = 40.0 * TSU_I_PI / 180.0;
     const double most = fmax(tsu_i_dual_lobe_power(lobe, -side), tsu_i_dual_lobe_power(lobe, side));
-    lobe[2] -= (float)log2(fmax(most - 0.01, 1.0));
+    lobe[2] -= (float)log2(fmax(most - 0.015, 1.0));
 }
 
 void tsu_i_dual_bake_spread(const void *state, uint32_t row, void *scratch, float *texels)
