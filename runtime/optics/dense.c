@@ -1,7 +1,5 @@
 #include "optics/dense.h"
 
-#include <stddef.h>
-
 // Four rows of b a pass: each row of c is read and written a quarter as often.
 static void row_add(int columns, const double *restrict weights, const double *restrict b,
                     size_t pitch, double *restrict c)
@@ -18,6 +16,16 @@ static void row_add_one(int columns, double weight, const double *restrict b, do
         c[j] += weight * b[j];
 }
 
+void tsu_i_dense_rows(int rows, const double *weights, const double *b, size_t pitch, int columns,
+                      double *c)
+{
+    int k = 0;
+    for (; k + 4 <= rows; k += 4)
+        row_add(columns, weights + k, b + (size_t)k * pitch, pitch, c);
+    for (; k < rows; k++)
+        row_add_one(columns, weights[k], b + (size_t)k * pitch, c);
+}
+
 void tsu_i_dense_add(int n, const double *a, const double *b, double *c)
 {
     // A band of b's rows stays in the cache for all rows of c.
@@ -27,11 +35,8 @@ void tsu_i_dense_add(int n, const double *a, const double *b, double *c)
         const int end = band + BAND < n ? band + BAND : n;
         for (int i = 0; i < n; i++) {
             double *out = c + (size_t)i * pitch;
-            int k = band;
-            for (; k + 4 <= end; k += 4)
-                row_add(n, a + (size_t)i * pitch + (size_t)k, b + (size_t)k * pitch, pitch, out);
-            for (; k < end; k++)
-                row_add_one(n, a[(size_t)i * pitch + (size_t)k], b + (size_t)k * pitch, out);
+            tsu_i_dense_rows(end - band, a + (size_t)i * pitch + (size_t)band,
+                             b + (size_t)band * pitch, pitch, n, out);
         }
     }
 }

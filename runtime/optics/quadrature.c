@@ -1,5 +1,9 @@
 #include "optics/quadrature.h"
 
+#include "optics/angle.h"
+
+#include <math.h>
+
 // Positive nodes and weights of the 16-point rule (roots of the Legendre polynomial P_16).
 static const double rule[8][2] = {
     {0.095012509837637454, 0.18945061045506859},
@@ -19,4 +23,29 @@ double tsu_i_quadrature_node(double a, double b, int panels, int index, double *
     const double middle = a + (2 * panel + 1) * half;
     *weight = rule[k / 2][1] * half;
     return middle + (k & 1 ? half : -half) * rule[k / 2][0];
+}
+
+void tsu_i_quadrature_gauss(int count, double *nodes, double *weights)
+{
+    for (int i = 0; 2 * i < count; i++) {
+        const int middle = 2 * i + 1 == count;
+        double x = middle ? 0.0 : cos(TSU_I_PI * (i + 0.75) / (count + 0.5)), slope = 1.0;
+        // Newton's method.
+        for (int again = 0; again < 50; again++) {
+            double before = 1.0, now = x;
+            for (int k = 2; k <= count; k++) {
+                const double next = ((2.0 * k - 1.0) * x * now - (k - 1.0) * before) / k;
+                before = now;
+                now = next;
+            }
+            slope = count * (x * now - before) / (x * x - 1.0);
+            const double move = now / slope;
+            x -= move;
+            if (fabs(move) < 1e-15)
+                break;
+        }
+        nodes[i] = x;
+        nodes[count - 1 - i] = -x;
+        weights[i] = weights[count - 1 - i] = 2.0 / ((1.0 - x * x) * slope * slope);
+    }
 }

@@ -27,6 +27,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+enum { TSU_I_SLAB_MOMENTS = 8 }; // of the phase function that are kept, for each node
+
 struct tsu_i_slab_layer {
     double n;           // refractive index, [1, 4]
     double albedo;      // of single scattering, [0, 1]
@@ -45,11 +47,11 @@ struct tsu_i_slab_direction {
 
 struct tsu_i_slab_desc {
     const struct tsu_i_slab_layer *layers; // from the top down
-    uint32_t layer_count;                  // [1, 64]; those below one of infinite depth get no light
-    double slide_top, slide_bottom;        // index of a thin clear plate on that face, [1, 4]; 1: none
-    uint32_t nodes;                        // in each interval of indices, [2, 128]; odd or even
-    uint32_t modes; // azimuth modes, [1, 2 nodes]; 1 is enough for fluxes, fewer are used where the
-                    // rest is below rounding
+    uint32_t layer_count;           // [1, 64]; those below one of infinite depth get no light
+    double slide_top, slide_bottom; // index of a thin clear plate on that face, [1, 4]; 1: none
+    uint32_t nodes;                 // in each interval of indices, [4, 128]
+    uint32_t modes; // azimuth modes at most, [1, 8 nodes]; 1 is enough for fluxes; fewer are solved
+                    // where the rest is nothing
     const struct tsu_i_slab_direction *directions;
     uint32_t direction_count; // [0, 64]
     // Radiance inside: `level_depth` below the top of layer `level_layer`, inside_wanted != 0.
@@ -68,10 +70,13 @@ struct tsu_i_slab {
     const double *specular[2], *direct[2];
     // Lambertian light from outside (uniform radiance).
     double diffuse_reflectance[2], diffuse_transmittance[2];
-    // Power that crosses the level, for directions[u], a unit of it coming: towards the bottom and
-    // towards the top, unscattered light included. NULL without a level.
+    // Power that crosses the level towards the bottom and towards the top, a unit of it coming
+    // along directions[u], or Lambertian; unscattered light included. NULL and 0 without a level.
     const double *inside_down[2], *inside_up[2];
     double diffuse_inside_down[2], diffuse_inside_up[2];
+    // Radiance at the level along directions[u], down and up, when all of the outside on that side
+    // is of radiance 1; unscattered light included. NULL without a level.
+    const double *sky_down[2], *sky_up[2];
     uint32_t modes; // solved
 
     const struct tsu_i_slab_desc *desc; // the caller's, which outlives this
