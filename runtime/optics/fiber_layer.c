@@ -2,6 +2,7 @@
 
 #include "optics/angle.h"
 #include "optics/dense.h"
+#include "optics/quadrature.h"
 
 #include <math.h>
 #include <string.h>
@@ -22,26 +23,13 @@ size_t tsu_i_layer_doubles(int azimuths)
     return tsu_i_layer_wide_doubles(TSU_I_LAYER_THETAS, azimuths);
 }
 
-// Gauss-Legendre nodes on [0, pi/2], by Newton's method.
+// Gauss-Legendre nodes on [0, pi/2].
 static void azimuth_nodes(int count, double *phi, double *weight)
 {
+    tsu_i_quadrature_gauss(count, phi, weight);
     for (int i = 0; i < count; i++) {
-        double x = cos(TSU_I_PI * (i + 0.75) / (count + 0.5)), slope = 1.0;
-        for (int again = 0; again < 50; again++) {
-            double before = 1.0, now = x;
-            for (int k = 2; k <= count; k++) {
-                const double next = ((2.0 * k - 1.0) * x * now - (k - 1.0) * before) / k;
-                before = now;
-                now = next;
-            }
-            slope = count * (x * now - before) / (x * x - 1.0);
-            const double move = now / slope;
-            x -= move;
-            if (fabs(move) < 1e-15)
-                break;
-        }
-        phi[i] = 0.25 * TSU_I_PI * (1.0 + x);
-        weight[i] = 0.5 * TSU_I_PI / ((1.0 - x * x) * slope * slope);
+        phi[i] = 0.25 * TSU_I_PI * (1.0 + phi[i]);
+        weight[i] *= 0.25 * TSU_I_PI;
     }
 }
 
