@@ -1,6 +1,7 @@
 #include "optics/prospect.h"
 
 #include "optics/angle.h"
+#include "optics/fresnel.h"
 #include "optics/quadrature.h"
 
 #include <math.h>
@@ -20,9 +21,8 @@ static double transmittance(double n, double cos_alpha)
     for (int i = 0; i < panels * TSU_I_QUADRATURE_PANEL; i++) {
         double weight;
         const double c = tsu_i_quadrature_node(cos_alpha, 1.0, panels, i, &weight);
-        const double t = sqrt(1.0 - (1.0 - c * c) / (n * n));
-        const double s = (c - n * t) / (c + n * t), p = (n * c - t) / (n * c + t);
-        sum += weight * c * (1.0 - 0.5 * (s * s + p * p));
+        const double inside = sqrt(n * n - (1.0 - c * c)); // n times the cosine there
+        sum += weight * c * tsu_i_fresnel_transmit(1.0, c, n, inside);
     }
     return 2.0 * sum / (1.0 - cos_alpha * cos_alpha);
 }
