@@ -2,6 +2,7 @@
 #ifndef TSUYA_DRAW_LIGHTS_H
 #define TSUYA_DRAW_LIGHTS_H
 
+#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
 #include <array>
@@ -19,6 +20,21 @@ struct Light {
     // tsu_light_pack() of a light with a place or a size, whose direction and irradiance above are
     // those at the origin: for the head and for the one look at the shadow. 0: there is no more.
     std::array<float, 16> record{};
+};
+
+// Where from, in which light and how finely a picture is drawn. Lengths in metres, colours linear
+// Rec. 709.
+struct View {
+    int width = 640, height = 640; // pixels
+    int supersample = 1;           // samples along a pixel's side, [1, 8]
+    glm::mat4 model{1.0f};         // to the world: rotation, translation, uniform scale
+    glm::mat4 view{1.0f};          // world to eye
+    glm::mat4 projection{1.0f};
+    glm::vec3 eye{0.0f};       // in the world
+    float distance = 1.0f;     // from the eye to what it looks at
+    float near = 0.01f;        // what is nearer is left out
+    std::vector<Light> lights; // evaluated in each pixel; at most lights_most
+    glm::vec3 background{0.0f};
 };
 
 // A sky of uniform radiance as `count` lights of equal solid angle, 4 pi / count, spread over the

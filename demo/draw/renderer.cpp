@@ -25,14 +25,11 @@ Expected<std::unique_ptr<Renderer>> Renderer::create(tsu_gl_proc_fn proc, void *
     self->strands_ = std::make_unique<Strands>(&self->gl_);
     self->maps_ = std::make_unique<Maps>(&self->gl_);
     self->sky_ = std::make_unique<Target>(&self->gl_);
-    self->samples_ = std::make_unique<Target>(&self->gl_);
-    self->resolved_ = std::make_unique<Target>(&self->gl_);
-    self->shown_ = std::make_unique<Target>(&self->gl_);
+    self->screen_ = std::make_unique<Screen>(&self->gl_);
     Expected<bool> built = self->build();
     if (!built) {
         return Error{built.error()};
     }
-    self->gl_.GenVertexArrays(1, &self->empty_);
     self->gl_.GenTextures(1, &self->fibres_);
     self->gl_.GenTextures(1, &self->beyond_);
     self->gl_.GenVertexArrays(1, &self->head_array_);
@@ -43,7 +40,6 @@ Expected<std::unique_ptr<Renderer>> Renderer::create(tsu_gl_proc_fn proc, void *
 
 Renderer::~Renderer()
 {
-    gl_.DeleteVertexArrays(1, &empty_);
     gl_.DeleteTextures(1, &fibres_);
     gl_.DeleteTextures(1, &beyond_);
     gl_.DeleteVertexArrays(1, &head_array_);
@@ -56,18 +52,18 @@ Expected<bool> Renderer::build()
     const auto text = [&](const char *name) { return source(shading_->folders().demo, name); };
     Expected<Program> head = link(gl_, {text("head.vert.glsl")},
                                   {text("light.glsl"), text("head.frag.glsl")});
-    Expected<Program> resolve = link(gl_, {text("screen.vert.glsl")}, {text("resolve.frag.glsl")});
-    Expected<Program> display = link(gl_, {text("screen.vert.glsl")}, {text("display.frag.glsl")});
     Expected<Program> identity = link(gl_, {text("strand.vert.glsl")},
                                       {text("coverage.glsl"), text("identity.frag.glsl")});
-    for (const Expected<Program> *program : {&head, &resolve, &display, &identity}) {
+    for (const Expected<Program> *program : {&head, &identity}) {
         if (!*program) {
             return Error{program->error()};
         }
     }
+    Expected<bool> screen = screen_->build(shading_->folders().demo);
+    if (!screen) {
+        return screen;
+    }
     head_program_ = std::move(*head);
-    resolve_ = std::move(*resolve);
-    display_ = std::move(*display);
     identity_ = std::move(*identity);
     return true;
 }
@@ -137,7 +133,7 @@ void Renderer::sky(const Frame &frame)
     gl_.Uniform4fv(gl_.GetUniformLocation(program.id(), "u_surroundings"), 9,
                    frame.surroundings.data());
     strands_->bind();
-    gl_.BindVertexArray(empty_);
+    gl_.BindVertexArray(screen_->empty());
     gl_.DrawArrays(GL_TRIANGLES, 0, 3);
 }
 

@@ -13,12 +13,11 @@
 #include "draw/grid.h"
 #include "draw/lights.h"
 #include "draw/maps.h"
+#include "draw/screen.h"
 #include "draw/shading.h"
 #include "draw/strands.h"
 #include "draw/target.h"
 #include "groom/generate.h"
-
-#include <glm/mat4x4.hpp>
 
 #include <memory>
 #include <string>
@@ -31,21 +30,11 @@ namespace tsuya::draw {
 enum class Shadow { none, grid, deep_opacity, opacity_shadow };
 
 // What to draw besides the material. Lengths in metres, colours linear Rec. 709.
-struct Frame {
-    int width = 640, height = 640; // pixels
-    int supersample = 1;           // samples along a pixel's side, [1, 8]
-    glm::mat4 model{1.0f};         // groom to world: rotation, translation, uniform scale
-    glm::mat4 view{1.0f};          // world to eye
-    glm::mat4 projection{1.0f};
-    glm::vec3 eye{0.0f};       // in the world
-    float distance = 1.0f;     // from the eye to what it looks at
-    float near = 0.01f;        // segments nearer than that are left out
-    std::vector<Light> lights; // evaluated in each pixel; at most lights_most
+struct Frame : View {
     std::vector<Light> sky;    // a uniform sky, evaluated in each point of a strand; at most
                                // sky_most directions, in which its shadow is looked up
     bool surrounded = false;   // light the strands by `surroundings`, and not by the sky's lights
     std::array<float, 36> surroundings{}; // record of an environment (tsuya/light.h)
-    glm::vec3 background{0.0f};
     glm::vec3 skin{0.32f, 0.22f, 0.17f}; // albedo of the head
     bool head = true;
     int sky_samples = 24;     // of the model over the sphere, in each point of a strand, >= 1
@@ -57,12 +46,6 @@ struct Frame {
     float variation = 0.0f;   // deviation of ln(sigma_a) from strand to strand
     float width_scale = 1.0f; // of every fibre
     float taper = 0.1f;       // share of a strand's length over which its tip narrows, [0, 1]
-};
-
-// Linear light: red, green, blue, and the share of the pixel that hair covers. Top row first.
-struct Picture {
-    int width = 0, height = 0;
-    std::vector<float> pixels;
 };
 
 class Renderer
@@ -90,12 +73,14 @@ class Renderer
     Expected<bool> draw(const Frame &frame);
 
     // The picture of the last draw().
-    Picture picture() const;
-    // The same for a screen: exposure (a factor), film curve or a plain cut at 1, linear in [0, 1]
-    // without alpha; the sRGB curve is left to the file's writer.
-    Picture shown(float exposure, bool filmic);
-    // The same again onto the window's framebuffer, with the sRGB curve.
-    void present(float exposure, bool filmic);
+    Picture picture() const
+    {
+        return screen_->picture();
+    }
+    Screen &screen()
+    {
+        return *screen_;
+    }
     // Wait for the GPU.
     void finish() const;
 
@@ -141,15 +126,16 @@ class Renderer
     std::unique_ptr<Maps> maps_;
     bool mapped_ = false; // this frame's first lights have maps
     std::string note_;
-    std::unique_ptr<Target> sky_, samples_, resolved_, shown_;
-    Program head_program_, resolve_, display_, identity_;
+    std::unique_ptr<Screen> screen_;
+    std::unique_ptr<Target> sky_;
+    Program head_program_, identity_;
     groom::Groom groom_;
     Solid solid_;
     Grid grid_;
     float grid_scale_ = 0.0f;     // width scale that the grid was filled with; 0: not filled
     std::vector<glm::vec3> swept_; // light directions in the groom's space of the shadow texture
     bool swept_beyond_ = false;
-    GLuint fibres_ = 0, beyond_ = 0, empty_ = 0;
+    GLuint fibres_ = 0, beyond_ = 0;
     GLuint head_array_ = 0, head_vertices_ = 0, head_elements_ = 0;
     GLsizei head_count_ = 0;
 };

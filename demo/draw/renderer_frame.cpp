@@ -25,24 +25,13 @@ Expected<bool> Renderer::draw(const Frame &frame)
     if (!ready) {
         return Error{ready.error()};
     }
-    const int width = frame.width * frame.supersample, height = frame.height * frame.supersample;
-    GLint most = 0;
-    gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
-    if (width > most || height > most) {
-        return Error{"size times supersample is " + std::to_string(width) + "x" +
-                     std::to_string(height) + " but this context draws at most " +
-                     std::to_string(most) + " pixels along a side"};
+    Expected<bool> sized = screen_->resize(frame.width, frame.height, frame.supersample);
+    if (!sized) {
+        return sized;
     }
-    constexpr double samples_most = 1e8; // 2 GB
-    if (double(width) * double(height) > samples_most) {
-        return Error{"size times supersample is " + std::to_string(width) + "x" +
-                     std::to_string(height) + " but must be at most 100000000 samples in all"};
-    }
-    if (!samples_->resize(width, height, true) ||
-        !sky_->resize(Strands::row_points, strands_->rows(), false) ||
-        !resolved_->resize(frame.width, frame.height, false)) {
-        return Error{"this context cannot draw into a float picture of " + std::to_string(width) +
-                     "x" + std::to_string(height)};
+    if (!sky_->resize(Strands::row_points, strands_->rows(), false)) {
+        return Error{"this context cannot draw into a float picture of " +
+                     std::to_string(Strands::row_points) + "x" + std::to_string(strands_->rows())};
     }
     shadows(frame);
     strands_->sort(frame.view * frame.model, frame.near);
@@ -51,7 +40,7 @@ Expected<bool> Renderer::draw(const Frame &frame)
     gl_.Disable(GL_CULL_FACE);
     gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     sky(frame);
-    samples_->bind();
+    screen_->begin();
     gl_.DepthMask(GL_TRUE);
     gl_.ClearColor(frame.background.x, frame.background.y, frame.background.z, 0.0f);
     gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -66,64 +55,14 @@ Expected<bool> Renderer::draw(const Frame &frame)
     program.set("u_eye", frame.eye);
     program.set("u_sigma_a", frame.sigma_a);
     program.set("u_variation", frame.variation);
-    strands(program, frame, width, height);
-
-    gl_.Disable(GL_BLEND);
-    gl_.Disable(GL_DEPTH_TEST);
-    resolved_->bind();
-    gl_.UseProgram(resolve_.id());
-    gl_.ActiveTexture(GL_TEXTURE1);
-    gl_.BindTexture(GL_TEXTURE_2D, samples_->texture());
-    resolve_.set("u_picture", 1);
-    resolve_.set("u_samples", frame.supersample);
-    gl_.BindVertexArray(empty_);
-    gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+    strands(program, frame, frame.width * frame.supersample, frame.height * frame.supersample);
+    screen_->resolve();
     return true;
-}
-
-Picture Renderer::picture() const
-{
-    return {resolved_->width(), resolved_->height(), resolved_->read()};
-}
-
-namespace {
-
-void display(const gl_api &gl, const Program &program, GLuint texture, GLuint array,
-             float exposure, bool filmic, bool encode)
-{
-    gl.Disable(GL_BLEND);
-    gl.Disable(GL_DEPTH_TEST);
-    gl.UseProgram(program.id());
-    gl.ActiveTexture(GL_TEXTURE1);
-    gl.BindTexture(GL_TEXTURE_2D, texture);
-    program.set("u_picture", 1);
-    program.set("u_exposure", exposure);
-    program.set("u_filmic", filmic ? 1 : 0);
-    program.set("u_encode", encode ? 1 : 0);
-    gl.BindVertexArray(array);
-    gl.DrawArrays(GL_TRIANGLES, 0, 3);
-}
-
-} // namespace
-
-Picture Renderer::shown(float exposure, bool filmic)
-{
-    shown_->resize(resolved_->width(), resolved_->height(), false);
-    shown_->bind();
-    display(gl_, display_, resolved_->texture(), empty_, exposure, filmic, false);
-    return {shown_->width(), shown_->height(), shown_->read()};
 }
 
 void Renderer::finish() const
 {
     gl_.Finish();
-}
-
-void Renderer::present(float exposure, bool filmic)
-{
-    gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
-    gl_.Viewport(0, 0, resolved_->width(), resolved_->height());
-    display(gl_, display_, resolved_->texture(), empty_, exposure, filmic, true);
 }
 
 std::size_t Renderer::reached(const Frame &frame)

@@ -76,11 +76,11 @@ bool savable(const std::string &path)
     return ends(path, ".png") || ends(path, ".exr");
 }
 
-Expected<bool> save(const std::string &path, const Scene &scene, draw::Renderer &renderer)
+Expected<bool> save(const std::string &path, const Scene &scene, draw::Screen &screen)
 {
     std::string error;
     if (ends(path, ".exr")) {
-        draw::Picture picture = renderer.picture();
+        draw::Picture picture = screen.picture();
         const image::Image image = {picture.width, picture.height, 4, std::move(picture.pixels),
                                     {"R", "G", "B", "hair"}};
         return image::write_exr(path, image, error) ? Expected<bool>(true) : Error{error};
@@ -88,8 +88,8 @@ Expected<bool> save(const std::string &path, const Scene &scene, draw::Renderer 
     if (!ends(path, ".png")) {
         return Error{path + " must end in .png or .exr"};
     }
-    const draw::Picture shown = renderer.shown(float(std::exp2(scene.exposure)),
-                                               scene.tone == "film");
+    const draw::Picture shown = screen.shown(float(std::exp2(scene.exposure)),
+                                             scene.tone == "film");
     image::Image image = {shown.width, shown.height, 3, {}};
     for (std::size_t i = 0; i < shown.pixels.size(); i += 4) {
         image.pixels.insert(image.pixels.end(), {shown.pixels[i], shown.pixels[i + 1],

@@ -47,10 +47,10 @@ class Studio
     std::unique_ptr<draw::Renderer> renderer_;
 };
 
-// Write what the renderer drew last. .exr: linear R, G, B and the channel `hair`, the share of the
+// Write what was drawn last. .exr: linear R, G, B and the channel `hair`, the share of the
 // pixel that hair covers, 32 bits. .png: exposure, tone and the sRGB curve.
 // Errors: another ending; what the image writer says.
-Expected<bool> save(const std::string &path, const Scene &scene, draw::Renderer &renderer);
+Expected<bool> save(const std::string &path, const Scene &scene, draw::Screen &screen);
 
 // True for a path that save() takes.
 bool savable(const std::string &path);

@@ -160,7 +160,7 @@ int render(const scene::Scene &scene, const std::string &path, int frames, std::
             numbers = scene::numbers(picture);
         }
         const groom::Expected<bool> saved =
-            scene::save(frames > 1 ? numbered(path, i + 1) : path, scene, renderer);
+            scene::save(frames > 1 ? numbered(path, i + 1) : path, scene, renderer.screen());
         if (!saved) {
             progress("");
             return complain(saved.error(), command::exit_failure);

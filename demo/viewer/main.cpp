@@ -110,11 +110,11 @@ class Session
         if (!drawn_ || !(scene_ == before)) {
             drawn = draw();
         }
-        renderer_.present(float(std::exp2(scene_.exposure)), scene_.tone == "film");
+        renderer_.screen().present(float(std::exp2(scene_.exposure)), scene_.tone == "film");
         if (asked.screenshot) {
-            const groom::Expected<bool> saved = scene::save(panel_.file, scene_, renderer_);
+            const groom::Expected<bool> saved = scene::save(panel_.file, scene_, renderer_.screen());
             panel_.message = saved ? std::string("wrote ") + panel_.file : saved.error();
-            renderer_.present(float(std::exp2(scene_.exposure)), scene_.tone == "film");
+            renderer_.screen().present(float(std::exp2(scene_.exposure)), scene_.tone == "film");
         }
         window_.end();
         return drawn;
@@ -219,7 +219,7 @@ int run(int argc, char **argv)
         good = session.step();
     }
     if (good && !screenshot.empty()) {
-        good = scene::save(screenshot, session.scene(), **renderer);
+        good = scene::save(screenshot, session.scene(), (*renderer)->screen());
     }
     return good ? command::exit_ok : complain(good.error());
 }
