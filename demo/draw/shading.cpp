@@ -2,85 +2,20 @@
 
 #include <tsuya/models/deep_opacity.h>
 #include <tsuya/models/opacity_shadow.h>
-#include <tsuya/set.h>
 
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <utility>
 
 namespace tsuya::draw {
 
-namespace {
-
-constexpr uint32_t unit = 0;
-constexpr uint32_t block = 0;
-
-} // namespace
-
-void Shading::log(void *user, int32_t level, int32_t, const char *text)
-{
-    if (level == TSU_LOG_ERROR) {
-        static_cast<Shading *>(user)->message_ = text;
-    }
-}
-
-int32_t Shading::read(void *user, const char *name, const char **text, size_t *size)
-{
-    Shading *self = static_cast<Shading *>(user);
-    if (self->folders_.library.empty()) {
-        return 0;
-    }
-    std::ifstream file(self->folders_.library + "/" + name, std::ios::binary);
-    if (!file) {
-        return 0;
-    }
-    self->text_.assign(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
-    *text = self->text_.data();
-    *size = self->text_.size();
-    return 1;
-}
-
-Error Shading::failed(const char *what, tsu_status status) const
-{
-    return Error{std::string(what) + ": " +
-                 (message_.empty() ? tsu_status_text(status) : message_.c_str())};
-}
-
 Expected<std::unique_ptr<Shading>> Shading::create(const gl_api &gl, tsu_gl_proc_fn proc,
                                                    void *user, const Folders &folders)
 {
-    std::unique_ptr<Shading> self(new Shading(gl, folders));
-    tsu_context_desc context;
-    tsu_context_desc_init(&context);
-    context.log = log;
-    context.log_user = self.get();
-    context.read = read;
-    context.read_user = self.get();
-    tsu_status status = tsu_context_create(&context, &self->context_);
-    if (status == TSU_OK) {
-        tsu_set_desc set;
-        tsu_set_desc_init(&set);
-        status = tsu_set_create(self->context_, &set, &self->set_);
+    Expected<std::unique_ptr<Guest>> guest = Guest::create(gl, proc, user, folders);
+    if (!guest) {
+        return Error{guest.error()};
     }
-    if (status == TSU_OK) {
-        tsu_gl_desc guest;
-        tsu_gl_desc_init(&guest);
-        guest.get_proc_address = proc;
-        guest.user = user;
-        status = tsu_gl_create(self->context_, &guest, &self->guest_);
-    }
-    if (status != TSU_OK) {
-        return self->failed("the shading library does not start", status);
-    }
-    return Expected<std::unique_ptr<Shading>>(std::move(self));
-}
-
-Shading::~Shading()
-{
-    tsu_gl_destroy(guest_);
-    tsu_set_destroy(set_);
-    tsu_context_destroy(context_);
+    return std::unique_ptr<Shading>(new Shading(gl, std::move(*guest)));
 }
 
 namespace {
@@ -168,21 +103,7 @@ Expected<std::string> glue(const tsu_model *model, std::string variant, bool are
 
 Expected<std::string> Shading::library(const std::vector<const tsu_model *> &models)
 {
-    tsu_shader_desc desc;
-    tsu_shader_desc_init(&desc);
-    desc.target = gl_.es ? TSU_TARGET_300ES : TSU_TARGET_330;
-    desc.flags = areas_ || surrounded_ ? TSU_SHADER_LIGHTS : 0;
-    desc.model_count = uint32_t(models.size());
-    desc.models = models.data();
-    tsu_shader *shader = nullptr;
-    message_.clear();
-    const tsu_status status = tsu_shader_create(context_, &desc, &shader);
-    if (status != TSU_OK) {
-        return failed("no shader text", status);
-    }
-    const std::string text = tsu_shader_text(shader, nullptr);
-    tsu_shader_destroy(shader);
-    return text;
+    return guest_->text(models, areas_ || surrounded_ ? TSU_SHADER_LIGHTS : 0);
 }
 
 Expected<Shading::Programs> Shading::build(const tsu_model *model, const std::string &variant)
@@ -197,7 +118,7 @@ Expected<Shading::Programs> Shading::build(const tsu_model *model, const std::st
     if (!text) {
         return Error{text.error()};
     }
-    const auto file = [&](const char *which) { return source(folders_.demo, which); };
+    const auto file = [&](const char *which) { return source(folders().demo, which); };
     Expected<Program> strand =
         link(gl_, {file("strand.vert.glsl")},
              {*text, *macros, file("coverage.glsl"), file("light.glsl"), file("shadow.glsl"),
@@ -211,11 +132,10 @@ Expected<Shading::Programs> Shading::build(const tsu_model *model, const std::st
     if (!sky) {
         return Error{sky.error()};
     }
-    message_.clear();
     for (const Program *program : {&*strand, &*sky}) {
-        const tsu_status bound = tsu_gl_program_setup(guest_, program->id(), unit, block);
-        if (bound != TSU_OK) {
-            return failed("the program cannot be set up", bound);
+        const Expected<bool> bound = guest_->setup(*program);
+        if (!bound) {
+            return Error{bound.error()};
         }
     }
     return Expected<Programs>(Programs{std::move(*strand), std::move(*sky), beyond});
@@ -223,7 +143,7 @@ Expected<Shading::Programs> Shading::build(const tsu_model *model, const std::st
 
 Expected<Shading::MapPrograms> Shading::build_maps(const tsu_model *technique)
 {
-    const auto file = [&](const char *which) { return source(folders_.demo, which); };
+    const auto file = [&](const char *which) { return source(folders().demo, which); };
     const Expected<std::string> text = library({technique});
     if (!text) {
         return Error{text.error()};
@@ -273,39 +193,25 @@ void Shading::read_lobe(const tsu_model *model, const void *params)
 Expected<bool> Shading::set(const tsu_model *model, const void *params,
                             const std::string &variant)
 {
-    message_.clear();
-    tsu_status status = tsu_model_params_check(context_, model, params);
-    if (status != TSU_OK) {
-        return failed("the material is refused", status);
+    Expected<bool> good = guest_->check(model, params);
+    if (!good) {
+        return good;
     }
-    if (model != model_ || variant != variant_) {
+    if (model != this->model() || variant != variant_) {
         Expected<Programs> programs = build(model, variant);
         if (!programs) {
             return Error{programs.error()};
         }
-        uint32_t material = 0;
-        if (model_) {
-            tsu_set_remove(set_, material_);
-            model_ = nullptr;
-        }
-        status = tsu_set_add(set_, model, params, &material);
-        if (status == TSU_OK) {
+        good = guest_->material(model, params);
+        if (good) {
             programs_ = std::move(*programs);
-            model_ = model;
             variant_ = variant;
-            material_ = material;
         }
     } else {
-        status = tsu_set_update(set_, material_, params, nullptr);
+        good = guest_->material(model, params);
     }
-    if (status == TSU_OK) {
-        status = tsu_set_bake(set_);
-    }
-    if (status == TSU_OK) {
-        status = tsu_gl_sync(guest_, set_);
-    }
-    if (status != TSU_OK) {
-        return failed("the material is refused", status);
+    if (!good) {
+        return good;
     }
     read_lobe(model, params);
     return true;
@@ -319,8 +225,8 @@ Expected<bool> Shading::reload()
 
 Expected<bool> Shading::rebuild()
 {
-    if (model_) {
-        Expected<Programs> programs = build(model_, variant_);
+    if (model()) {
+        Expected<Programs> programs = build(model(), variant_);
         if (!programs) {
             return Error{programs.error()};
         }
@@ -347,8 +253,7 @@ Expected<bool> Shading::light(bool areas, bool surrounded)
 
 const Program &Shading::bind(const Program &program)
 {
-    gl_.UseProgram(program.id());
-    tsu_gl_bind(guest_, material_ / TSU_PAGE_MATERIALS, unit, block);
+    guest_->bind(program);
     program.set("u_lobe", alpha_R_, beta_R_);
     return program;
 }

@@ -1,24 +1,15 @@
-// One material of one model: the library's guest in this renderer, and the program around it.
+// One material of hair, and the programs around it.
 #ifndef TSUYA_DRAW_SHADING_H
 #define TSUYA_DRAW_SHADING_H
 
-#include "draw/program.h"
-
-#include <tsuya/gl.h>
-#include <tsuya/model.h>
-#include <tsuya/shader.h>
+#include "draw/guest.h"
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tsuya::draw {
-
-// Where GLSL is read from again at each build of a program; empty: what is built in.
-struct Folders {
-    std::string library; // the checkout's glsl
-    std::string demo;    // the checkout's demo/draw
-};
 
 class Shading
 {
@@ -26,9 +17,6 @@ class Shading
     // Errors: what the library says about the context.
     static Expected<std::unique_ptr<Shading>> create(const gl_api &gl, tsu_gl_proc_fn proc,
                                                      void *user, const Folders &folders);
-    ~Shading();
-    Shading(const Shading &) = delete;
-    Shading &operator=(const Shading &) = delete;
 
     // Shade with this model and these typed parameters from now on. Tables are baked and a program
     // is built only when they have to be.
@@ -66,19 +54,19 @@ class Shading
 
     tsu_context *context() const
     {
-        return context_;
+        return guest_->context();
     }
     const tsu_model *model() const
     {
-        return model_;
+        return guest_->model();
     }
     const Folders &folders() const
     {
-        return folders_;
+        return guest_->folders();
     }
 
   private:
-    Shading(const gl_api &gl, const Folders &folders) : gl_(gl), folders_(folders)
+    Shading(const gl_api &gl, std::unique_ptr<Guest> guest) : gl_(gl), guest_(std::move(guest))
     {
     }
     // The programs that call the model's entry.
@@ -92,25 +80,15 @@ class Shading
     const Program &bind(const Program &program);
     Expected<bool> rebuild();
     void read_lobe(const tsu_model *model, const void *params);
-    static void log(void *user, int32_t level, int32_t code, const char *text);
-    static int32_t read(void *user, const char *name, const char **text, size_t *size);
-    Error failed(const char *what, tsu_status status) const;
 
     const gl_api &gl_;
-    Folders folders_;
-    tsu_context *context_ = nullptr;
-    tsu_set *set_ = nullptr;
-    tsu_gl *guest_ = nullptr;
-    const tsu_model *model_ = nullptr;
+    std::unique_ptr<Guest> guest_;
     std::string variant_;
-    uint32_t material_ = 0;
     bool areas_ = false, surrounded_ = false;
     float alpha_R_ = 0.0f, beta_R_ = 0.1f; // of the material
     Programs programs_;
     const tsu_model *technique_ = nullptr;
     MapPrograms map_programs_;
-    std::string message_; // last error that the library logged
-    std::string text_;    // last file that it read
 };
 
 } // namespace tsuya::draw
