@@ -1,4 +1,4 @@
-// Private to the generator: numbers that come out the same on every machine.
+// Private to the generators of hair, leaves and trees: numbers that come out the same on every machine.
 //
 // Only + - * / and sqrt on doubles, which IEEE 754 rounds in one way, integer
 // random numbers, and polynomials in place of libm's sine and cosine. A fused
