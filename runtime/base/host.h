@@ -47,7 +47,8 @@ enum {
     TSU_LOG_GL_ERROR = 44,
     TSU_LOG_COLOR = 50,
     TSU_LOG_HAIR_SHADOW = 60,
-    TSU_LOG_LIGHT = 61
+    TSU_LOG_LIGHT = 61,
+    TSU_LOG_LEAF = 70
 };
 
 #endif
