@@ -54,6 +54,8 @@ int tsu_i_slab_indices(const struct tsu_i_slab_desc *desc, double *out)
 // Indices closer than this are told apart less well: nodes that cluster at them would leave none
 // for the rest.
 static const double least_bend = 0.1;
+// With air alone, nodes cluster at grazing directions, the more the thinner the slab is.
+static const double air_bend = 0.5, least_air_bend = 0.01;
 
 // An interval of k between two neighbouring indices, in v: the normal component in the upper one's
 // medium is bend sinh(v), in that of the next one bend cosh(v), so that both are smooth. With no
@@ -75,11 +77,10 @@ static double at(const struct interval *interval, double x, double *slope)
 // that the scattering takes: share(node, fine node) is the node's Lagrange polynomial times d(k^2)
 // there over the node's own.
 static void nodes_between(struct tsu_i_slab_work *work, int which, double low, double high,
-                          double next)
+                          double bend)
 {
     const int count = work->nodes, fine = work->fine, first = work->users + which * count;
     const double most = sqrt((high - low) * (high + low));
-    const double bend = next > high ? fmax(sqrt((next - high) * (next + high)), least_bend) : 0.0;
     const struct interval interval = {bend, bend > 0.0 ? asinh(most / bend) : most};
     double x[TSU_I_SLAB_MOST_NODES], weight[TSU_I_SLAB_MOST_NODES], slope, sum = 0.0;
     const double *const fine_x = work->functions, *const fine_weight = fine_x + fine;
@@ -115,6 +116,9 @@ void tsu_i_slab_nodes(struct tsu_i_slab_work *work, const struct tsu_i_slab_desc
 {
     double indices[TSU_I_SLAB_MOST_LAYERS + 2];
     const int count = tsu_i_slab_indices(desc, indices);
+    double depth = 0.0;
+    for (uint32_t i = 0; i < desc->layer_count; i++)
+        depth += desc->layers[i].depth;
     for (int i = 0; i < work->users; i++) {
         const struct tsu_i_slab_direction *direction = desc->directions + i;
         const double normal = direction->n * direction->mu;
@@ -123,7 +127,13 @@ void tsu_i_slab_nodes(struct tsu_i_slab_work *work, const struct tsu_i_slab_desc
         work->weight[i] = 0.0;
     }
     tsu_i_quadrature_gauss(work->fine, work->functions, work->functions + work->fine);
-    for (int i = 0; i < count; i++)
-        nodes_between(work, i, i > 0 ? indices[i - 1] : 0.0, indices[i],
-                      i + 1 < count ? indices[i + 1] : 0.0);
+    for (int i = 0; i < count; i++) {
+        const double next = i + 1 < count ? indices[i + 1] : indices[i];
+        double bend = 0.0;
+        if (next > indices[i])
+            bend = fmax(sqrt((next - indices[i]) * (next + indices[i])), least_bend);
+        else if (count == 1)
+            bend = fmax(fmin(depth, air_bend), least_air_bend);
+        nodes_between(work, i, i > 0 ? indices[i - 1] : 0.0, indices[i], bend);
+    }
 }
