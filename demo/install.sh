@@ -4,7 +4,7 @@ set -eu
 demo="build-essential meson ninja-build pkg-config python3 libgl-dev libegl1 libgl1-mesa-dri
       libosmesa6 libglm-dev libopenmesh-dev libpng-dev libtinyexr-dev libglfw3-dev libimgui-dev
       libembree-dev"
-tests="libcmocka-dev glslang-tools libvulkan-dev mesa-vulkan-drivers xvfb xauth git"
+tests="libcmocka-dev liblapacke-dev glslang-tools libvulkan-dev mesa-vulkan-drivers xvfb xauth git"
 case "${1:-}" in
 demo) packages=$demo ;;
 tests) packages="$demo $tests" ;;
