@@ -54,7 +54,9 @@ enum {
     // self-shadow, which have no lobes.
     TSU_SHADER_HARNESS = 4,
     // Add the snippets of lights and environments (tsuya/light.h).
-    TSU_SHADER_LIGHTS = 16
+    TSU_SHADER_LIGHTS = 16,
+    // Add the snippet of light that spreads inside leaves (tsuya/leaf_scale.h).
+    TSU_SHADER_LEAF_BLUR = 32
 };
 
 typedef struct tsu_shader_desc {
