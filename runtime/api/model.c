@@ -93,8 +93,17 @@ tsu_status tsu_function_params(tsu_context *context, const tsu_model *model, uin
     const tsu_status read = tsu_i_params_read(context, model, params, own);
     if (read != TSU_OK)
         return read;
-    model->functions[function].params(in, own);
-    return tsu_i_desc_write(params, own, model->info.params_size);
+    const struct tsu_i_function *f = model->functions + function;
+    if (!f->material) {
+        f->params(in, own);
+        return tsu_i_desc_write(params, own, model->info.params_size);
+    }
+    void *scratch = context ? tsu_i_alloc(context, f->scratch_bytes, 1) : NULL;
+    if (!scratch)
+        return context ? TSU_E_MEMORY : TSU_E_PARAMETER;
+    const tsu_status made = f->material(context, in, scratch, own);
+    tsu_i_free(context, scratch, f->scratch_bytes, 1);
+    return made == TSU_OK ? tsu_i_desc_write(params, own, model->info.params_size) : made;
 }
 
 tsu_status tsu_function_reference(tsu_context *context, const tsu_model *model, uint32_t function,
@@ -116,7 +125,13 @@ tsu_status tsu_function_reference(tsu_context *context, const tsu_model *model, 
         tsu_i_outputs_zero(model, function, out);
         return context ? TSU_E_MEMORY : TSU_E_PARAMETER;
     }
-    f->solved(in, scratch, out);
+    tsu_status answered = TSU_OK;
+    if (f->answer)
+        answered = f->answer(context, in, scratch, out);
+    else
+        f->solved(in, scratch, out);
     tsu_i_free(context, scratch, f->scratch_bytes, 1);
-    return TSU_OK;
+    if (answered != TSU_OK)
+        tsu_i_outputs_zero(model, function, out);
+    return answered;
 }

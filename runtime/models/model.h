@@ -54,6 +54,11 @@ struct tsu_i_function {
     // Instead of `reference` where it needs room: scratch_bytes, aligned for double; 0: it does not.
     size_t scratch_bytes;
     void (*solved)(const double *in, void *scratch, double *out);
+    // Instead of `params` and `solved` where inputs within their ranges can still be impossible:
+    // these log what is wrong, with the nearest that is possible. `scratch` as above.
+    tsu_status (*material)(const tsu_context *context, const double *in, void *scratch,
+                           void *params);
+    tsu_status (*answer)(const tsu_context *context, const double *in, void *scratch, double *out);
     // As the shader, in float, from the baked tables and the record; NULL: reference only.
     void (*sampled)(const void *state, const float *record, const struct tsu_i_texels *tables,
                     const double *in, double *out);

@@ -143,6 +143,15 @@ static int any_material(const tsu_shader_desc *desc)
     return 0;
 }
 
+// Whether a model shades surfaces, or fibres.
+static int any_shades(const tsu_shader_desc *desc, uint32_t surface)
+{
+    for (uint32_t i = 0; i < desc->model_count; i++)
+        if ((desc->models[i]->info.flags & TSU_MODEL_SURFACE) == surface)
+            return 1;
+    return 0;
+}
+
 static void put_resources(const struct assembler *a)
 {
     if (!any_material(a->desc))
@@ -198,10 +207,15 @@ static int extra_before(const tsu_shader_desc *desc, uint32_t model, const char 
 
 static void put_varyings(const struct assembler *a)
 {
-    static const char *const fixed[] = {"t", "l", "v", "sigma_a"};
+    static const struct {
+        const char *name;
+        int fiber, surface;
+    } fixed[] = {{"t", 1, 0}, {"n", 0, 1}, {"l", 1, 1}, {"v", 1, 1}, {"sigma_a", 1, 0}};
+    const int fiber = any_shades(a->desc, 0), surface = any_shades(a->desc, TSU_MODEL_SURFACE);
     uint32_t location = 0;
     for (size_t i = 0; i < sizeof fixed / sizeof *fixed; i++)
-        put_varying(a, &location, "vec3", fixed[i]);
+        if ((fiber && fixed[i].fiber) || (surface && fixed[i].surface))
+            put_varying(a, &location, "vec3", fixed[i].name);
     put_varying(a, &location, "int", "material");
     for (uint32_t i = 0; i < a->desc->model_count; i++)
         for (uint32_t k = 0; k < a->desc->models[i]->info.input_count; k++) {

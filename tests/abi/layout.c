@@ -211,6 +211,29 @@ AT(tsu_value_info, minimum, 32);
 AT(tsu_value_info, maximum, 40);
 AT(tsu_value_info, default_value, 48);
 
+SIZE(tsu_leaf_body_params, 68);
+AT(tsu_leaf_body_params, struct_size, 0);
+AT(tsu_leaf_body_params, flags, 4);
+AT(tsu_leaf_body_params, n, 8);
+AT(tsu_leaf_body_params, scatter_top, 12);
+AT(tsu_leaf_body_params, absorption_top, 24);
+AT(tsu_leaf_body_params, scatter_bottom, 36);
+AT(tsu_leaf_body_params, absorption_bottom, 48);
+AT(tsu_leaf_body_params, pigment, 60);
+AT(tsu_leaf_body_params, thickness, 64);
+
+SIZE(tsu_leaf_params, 72);
+AT(tsu_leaf_params, struct_size, 0);
+AT(tsu_leaf_params, flags, 4);
+AT(tsu_leaf_params, n, 8);
+AT(tsu_leaf_params, scatter_top, 12);
+AT(tsu_leaf_params, absorption_top, 24);
+AT(tsu_leaf_params, scatter_bottom, 36);
+AT(tsu_leaf_params, absorption_bottom, 48);
+AT(tsu_leaf_params, pigment, 60);
+AT(tsu_leaf_params, thickness, 64);
+AT(tsu_leaf_params, roughness, 68);
+
 SIZE(tsu_kajiya_kay_params, 32);
 AT(tsu_kajiya_kay_params, struct_size, 0);
 AT(tsu_kajiya_kay_params, flags, 4);

@@ -89,7 +89,9 @@ def rows_of(function, count, materials, seed):
 
     def value(v):
         if '|' in v['unit']:
-            return v['unit'].split('|')[0]
+            words = v['unit'].split(';')[0].split('|')
+            # A leaf by name: random reflectances are impossible more often than not.
+            return draw.choice(words[1:] if v['name'] == 'preset' else words)
         low, high = low_high.get(v['name'], (v.get('minimum_deg', v['minimum']),
                                              v.get('maximum_deg', v['maximum'])))
         return repr(draw.uniform(low, high))

@@ -162,19 +162,28 @@ static void follows_every_change(void **state)
 
 // Light or view along the strand, opposite and equal directions, no and much absorption: finite,
 // not negative, and no brighter than a lobe can be.
-// Values for the inputs beyond the fixed five: none in the way, all, some.
+// Values for the inputs beyond the fixed ones, each beginning with a comma: of fibres none in the
+// way, all, some; of surfaces within their ranges and, in the second case, beyond.
 static void extras_of(const tsu_model *model, int which, char *text, size_t size)
 {
-    static const char *const fibres[] = {"0.0", "1e6", "2.0"}, *const direct[] = {"1.0", "0.0",
-                                                                                  "0.1"};
+    static const char *const fibres[] = {"0.0", "1e6", "2.0"};
+    static const char *const direct[] = {"1.0", "0.0", "0.1"};
+    // Their directions are in the plane of n and along it.
+    static const char *const factors[] = {"1.0", "1e6", "0.0"};
     tsu_input_info input;
     tsu_input_info_init(&input);
+    tsu_model_info info;
+    tsu_model_info_init(&info);
+    tsu_model_describe(model, &info);
+    const int surface = (info.flags & TSU_MODEL_SURFACE) != 0;
     size_t used = 0;
     text[0] = '\0';
     for (uint32_t i = 0; tsu_model_input(model, i, &input) == TSU_OK; i++)
         if (input.flags == TSU_INPUT_EXTRA)
             used += (size_t)snprintf(text + used, size - used, ", %s",
-                                     (strcmp(input.name, "direct") ? fibres : direct)[which]);
+                                     (surface                        ? factors
+                                      : strcmp(input.name, "direct") ? fibres
+                                                                     : direct)[which]);
 }
 
 static void extremes_stay_finite(void **state)
@@ -220,9 +229,10 @@ static void extremes_stay_finite(void **state)
                  " int i = int(uv.x * 8.0), k = int(uv.y * 8.0);\n"
                  " vec3 sigma = vec3(0.0, 30.0, 1e6);\n"
                  " o = vec4(tsu_%s_sum(tsu_%s_eval(material, vec3(0.0, 0.0, 1.0), direction(i),\n"
-                 "     direction(k), sigma%s)), 1.0);\n}\n",
+                 "     direction(k)%s%s)), 1.0);\n}\n",
                  fixture.gl.es ? "#version 300 es\n" : "#version 330 core\n",
-                 tsu_shader_text(shader, NULL), info.name, info.name, extras);
+                 tsu_shader_text(shader, NULL), info.name, info.name,
+                 info.flags & TSU_MODEL_SURFACE ? "" : ", sigma", extras);
         tsu_shader_destroy(shader);
         const GLuint program = fixture_program(&fixture, NULL, text);
         assert_true(program != 0);

@@ -22,7 +22,9 @@ FLOORS = {
     'api': ['base/', 'optics/', 'bake/', 'shade/', 'hair_shadow/', 'light/', 'models/'],
 }
 # A model that extends others builds on their private headers and calls their GLSL.
-EXTENDS = {'dual_scattering': ['marschner'], 'plane_parallel_hair': ['marschner', 'dual_scattering']}
+EXTENDS = {'dual_scattering': ['marschner'],
+           'plane_parallel_hair': ['marschner', 'dual_scattering'],
+           'leaf': ['leaf_body']}
 LIBC = {'ctype.h', 'float.h', 'limits.h', 'math.h', 'stdarg.h', 'stddef.h', 'stdint.h', 'stdlib.h',
         'string.h'}
 # Memory, files and output are the host's; only base speaks to it.
@@ -134,7 +136,12 @@ def check_glsl():
         code = re.sub(r'//[^\n]*', '', path.read_text('utf-8'))
         if re.search(r'#\s*(include|version|extension)|\bmain\s*\(|\bgl_|\bdiscard\b|\buniform\b', code):
             say(path, 'a snippet owns no stage and declares no resource')
-        others = [f for f in folders if f not in [inside[1]] + EXTENDS.get(inside[1], []) and re.search(rf'\btsu_{f}_', code)]
+        # A name may begin another one: leaf, leaf_body.
+        longer = {f: ''.join(rf'(?!{g[len(f) + 1:]}_)' for g in folders if g.startswith(f + '_'))
+                  for f in folders}
+        own = [inside[1]] + EXTENDS.get(inside[1], [])
+        others = [f for f in folders
+                  if f not in own and re.search(rf'\btsu_{f}_{longer[f]}', code)]
         if others:
             say(path, f'one model uses another: {others}')
     for folder in folders:

@@ -153,7 +153,7 @@ def kajiya_kay():
 
 def static_cost():
     bounds = {'kajiya_kay': 130, 'marschner': 250, 'dual_scattering': 420,
-              'plane_parallel_hair': 420}
+              'plane_parallel_hair': 420, 'leaf_body': 260, 'leaf': 330}
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
         shaders = [(n, cost.HERE / 'baseline' / f'{n}.frag') for n in cost.BASELINES]
@@ -185,6 +185,42 @@ def slabs():
         report('the same, below 1', 100 * (1 - min(sums)), 5, ' %')
 
 
+PRESETS = ('young_green', 'mature_broadleaf', 'dark_shade', 'thick_waxy', 'grass', 'needle',
+           'yellow_autumn', 'red_autumn', 'dry_brown')
+
+
+def leaves():
+    """BRDF and BTDF of the presets on the GPU against the slab solver."""
+    cosines = (0.1, 0.45, 1.0)
+    rows = []
+    for preset in PRESETS:
+        for channel in random.choice('rgb'):
+            factors = random.choice(((1, 1), (0.25, 0.5), (2, 2), (0.5, 1.3), (1.7, 0.6)))
+            for side in 'top', 'bottom':
+                for kind in 'RT':
+                    rows += [(preset, channel, side, kind, mu0, mu, phi, *factors)
+                             for mu0 in cosines for mu in cosines for phi in (0, 100)]
+    text = 'preset,channel,side,kind,mu0,mu,phi_deg,absorption,thickness\n' + ''.join(
+        ','.join(map(str, row)) + '\n' for row in rows)
+    answers = [list(csv.DictReader(tsuya('eval', 'leaf-body', '--on', on, text=text).splitlines()))
+               for on in ('gpu', 'reference')]
+    lobes = {}
+    for row, gpu, true in zip(rows, *answers):
+        name = 'reflected' if row[3] == 'R' else 'transmitted'
+        lobes.setdefault(row[:4], []).append((float(gpu[name]), float(true[name])))
+    bright, dim = 0.0, 0.0
+    for values in lobes.values():
+        peak = max(true for _, true in values)
+        error = max(abs(gpu - true) for gpu, true in values)
+        # A Lambert lobe of 0.02 is 0.0064 / sr.
+        if peak > 0.0064:
+            bright = max(bright, error / peak)
+        else:
+            dim = max(dim, error)
+    report('leaves: lobes of the presets on the GPU, of their peak', 100 * bright, 1.9, ' %')
+    report('the same where less than 2 % of light goes, 1/sr', dim, 1e-3)
+
+
 def size():
     models = {m['name']: m for m in json.loads(tsuya('models', '--json'))['models']}
     report('table memory of a hair material', sum(t['bytes'] for t in models['marschner']['tables'])
@@ -192,6 +228,8 @@ def size():
     for model in 'dual_scattering', 'plane_parallel_hair':
         report(f'memory that {model} adds', sum(t['bytes'] for t in models[model]['tables']
                if t['name'] != 'azimuthal') / 1024, 128, ' KiB')
+    report('table memory of a leaf', sum(t['bytes'] for t in models['leaf']['tables']) / 1024, 16,
+           ' KiB')
     text = tsuya('glsl', 'marschner', '--target', '330')
     report('texture fetches a light', text.count('textureLod(') + text.count('texture('), 2)
     report('samplers with every model at once',
@@ -200,7 +238,8 @@ def size():
 
 def main():
     random.seed(2003)
-    for part in (golden, azimuthal, longitudinal, furnace, kajiya_kay, slabs, size, static_cost):
+    for part in (golden, azimuthal, longitudinal, furnace, kajiya_kay, slabs, leaves, size,
+                 static_cost):
         part()
     if FAILED:
         sys.exit('failed: ' + '; '.join(FAILED))

@@ -14,9 +14,9 @@ extern "C" {
 // One shading model ("marschner", "kajiya_kay", ...).
 typedef struct tsu_model tsu_model;
 
-// Number of models that shade a fibre. Threads: any.
+// Number of models that shade a fibre or a surface. Threads: any.
 TSU_API uint32_t tsu_model_count(void);
-// Model that shades a fibre, by position; NULL when `index` is too large. Threads: any.
+// Model that shades a fibre or a surface, by position; NULL when `index` is too large. Threads: any.
 TSU_API const tsu_model *tsu_model_at(uint32_t index);
 // Model by name, techniques of self-shadow (hair_shadow.h) too; NULL when there is none.
 // Threads: any.
@@ -25,7 +25,9 @@ TSU_API const tsu_model *tsu_model_find(const char *name);
 enum {
     // Tells what light reaches a fibre and shades none: no eval, no sum, no lobes, no material. A
     // set refuses it, a shader takes it, tsuya/hair_shadow.h plans it.
-    TSU_MODEL_SHADOW = 1
+    TSU_MODEL_SHADOW = 1,
+    // Shades a surface: takes a normal n in place of t and sigma_a, see its header.
+    TSU_MODEL_SURFACE = 2
 };
 
 typedef struct tsu_model_info {
@@ -86,7 +88,7 @@ typedef struct tsu_input_info {
     const char *help;
 } tsu_input_info;
 enum {
-    TSU_INPUT_EXTRA = 1,  // beyond t, l, v, sigma_a and the material index
+    TSU_INPUT_EXTRA = 1,  // beyond material, t, l, v, sigma_a; of a surface material, n, l, v
     TSU_INPUT_VARIANT = 2 // taken by variants of the entry point alone
 };
 

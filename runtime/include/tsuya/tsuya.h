@@ -15,6 +15,8 @@
 #include <tsuya/models/deep_opacity.h>
 #include <tsuya/models/dual_scattering.h>
 #include <tsuya/models/kajiya_kay.h>
+#include <tsuya/models/leaf.h>
+#include <tsuya/models/leaf_body.h>
 #include <tsuya/models/marschner.h>
 #include <tsuya/models/opacity_shadow.h>
 #include <tsuya/models/plane_parallel_hair.h>
