@@ -156,7 +156,9 @@ void model_json(Json &json, const tsu_model *model)
     tsu_model_describe(model, &info);
     json.open('{').field("name", info.name).field("title", info.title);
     json.field("source", info.source);
-    json.field("kind", info.flags & TSU_MODEL_SHADOW ? "shadow" : "fibre");
+    json.field("kind", info.flags & TSU_MODEL_SHADOW    ? "shadow"
+                       : info.flags & TSU_MODEL_SURFACE ? "surface"
+                                                        : "fibre");
     parameters_json(json, model, info);
     tables_json(json, model, info);
     errors_json(json, model, info);

@@ -57,9 +57,10 @@ def table(text):
     return rows[0], rows[1:]
 
 
-def models(kind='fibre'):
-    """Records of the models that shade a fibre, or of the techniques of self-shadow."""
-    return [m for m in json.loads(output('models', '--json'))['models'] if m['kind'] == kind]
+def models(*kinds):
+    """Records of the models that shade, or of one kind: fibre, surface, shadow."""
+    return [m for m in json.loads(output('models', '--json'))['models']
+            if m['kind'] in (kinds or ('fibre', 'surface'))]
 
 
 AZIMUTHAL = ('eval', 'hair-azimuthal', '--on', 'reference')

@@ -289,10 +289,12 @@ def bake_writes_what_it_says():
         block = folder + '/page.block'
         for model in models():
             said = {}
+            keys = (('color=brown', 'alpha_R_deg=-5') if model['kind'] == 'fibre' else
+                    ('n=1.4', 'scatter_bottom=1.5,2,3'))
             for ending in ('bin', 'csv', 'exr'):
                 path = f'{folder}/tables.{ending}'
-                said[ending] = output('bake', model['name'], 'color=brown', 'alpha_R_deg=-5',
-                                      '--no-measure', '-o', path, '--block', block)
+                said[ending] = output('bake', model['name'], *keys, '--no-measure', '-o', path,
+                                      '--block', block)
             expect('bytes' in said['bin'] and 'ms' in said['bin'], said['bin'])
             expect(os.path.getsize(block) == 16384, 'size of the block')
             data = pathlib.Path(folder, 'tables.bin').read_bytes()
