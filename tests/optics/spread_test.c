@@ -7,6 +7,7 @@
 #include <cmocka.h>
 
 #include "optics/angle.h"
+#include "optics/diffusion.h"
 #include "optics/slab.h"
 #include "optics/slab_blur.h"
 #include "photon_walk.h"
@@ -227,6 +228,70 @@ static void a_leaf_is_that_of_mcml(void **state)
         }
 }
 
+// What a blur by each method's Gaussians puts into MCML's rings, of half spaces and of the leaf:
+// sum of |error| over the light of the rings. The table of leaf_scale.h.
+static void blurs_of_every_method(void **state)
+{
+    (void)state;
+    enum { TRANSPORT = TSU_I_DIFFUSION_MULTIPOLE + 1, CASES = 4 };
+    static const char *const cases[CASES] = {"half space a' .95", "half space a' .99", "leaf R",
+                                             "leaf T"};
+    static const char *const names[] = {"dipole", "better", "beam", "multipole", "transport"};
+    static const double bound[TRANSPORT + 1][CASES] = {{0.55, 0.20, 0, 0},
+                                                       {0.26, 0.16, 0, 0},
+                                                       {0.17, 0.09, 0, 0},
+                                                       {0, 0, 0.17, 0.09},
+                                                       {0.14, 0.06, 0.05, 0.04}};
+    static const struct tsu_i_medium media[CASES] = {{2.5, 47.5, 0.0, 1.4, 0.2},
+                                                     {0.5, 49.5, 0.0, 1.4, 0.4},
+                                                     {10.0, 390.0, 0.5, 1.4, 0.02},
+                                                     {10.0, 390.0, 0.5, 1.4, 0.02}};
+    for (int c = 0; c < CASES; c++)
+        for (int method = 0; method <= TRANSPORT; method++) {
+            if (bound[method][c] == 0.0)
+                continue;
+            const struct tsu_i_medium *m = media + c;
+            const struct tsu_i_spread_slab slab = {
+                m->n,
+                m->g,
+                1,
+                {{m->sigma_s * m->thickness, m->sigma_a * m->thickness, m->thickness}}};
+            struct tsu_i_transforms sides[2];
+            transforms_of(&slab, sides);
+            for (int i = 0; i < sides->samples && method < TRANSPORT; i++) {
+                struct tsu_i_medium single = tsu_i_medium_reduced(m);
+                double once = 0.0, none;
+                single.thickness = INFINITY;
+                tsu_i_diffusion_transform(method, m, sides->k[i], &sides[0].value[0][i],
+                                          &sides[1].value[0][i]);
+                if (method == TSU_I_DIFFUSION_BETTER || method == TSU_I_DIFFUSION_BEAM)
+                    tsu_i_single_transform(&single, sides->k[i], &once, &none);
+                sides[0].value[0][i] += once;
+            }
+            struct tsu_i_gaussians sum;
+            const struct tsu_i_transforms *side = sides + (c == 3);
+            tsu_i_blur_fit(side, 6, m->thickness, &sum);
+            const size_t rows = c < 2 ? COUNT(half_space_truth) : COUNT(leaf_truth);
+            double all = 0.0, off = 0.0;
+            for (size_t i = 0; i < rows; i++) {
+                const double half = c == 0 ? 0.001 : c == 1 ? 0.002 : 0.0005;
+                const double r = c < 2 ? half_space_truth[i].r : leaf_truth[i].r;
+                if (c < 2 ? half_space_truth[i].bright != c : leaf_truth[i].side != c - 2)
+                    continue;
+                const double low = fmax(r - half, 0.0), high = r + half;
+                const double ring = side->value[0][0] * (tsu_i_gaussians_within(&sum, 0.0, high) -
+                                                         tsu_i_gaussians_within(&sum, 0.0, low));
+                const double truth = (c < 2 ? half_space_truth[i].value : leaf_truth[i].value) *
+                                     TSU_I_PI * (high * high - low * low);
+                all += truth;
+                off += fabs(ring - truth);
+            }
+            print_message("%s, %s, 6 Gaussians: rings off by %.0f %% of their light\n", cases[c],
+                          names[method], 100.0 * off / all);
+            assert_true(off <= bound[method][c] * all);
+        }
+}
+
 struct radii {
     double worst[2], sum[2];
     int count[2];
@@ -302,6 +367,7 @@ int main(void)
         cmocka_unit_test(white_slabs_lose_nothing),
         cmocka_unit_test(layers_and_lengths_are_consistent),
         cmocka_unit_test(a_leaf_is_that_of_mcml),
+        cmocka_unit_test(blurs_of_every_method),
         cmocka_unit_test(radii_are_those_of_walks),
     };
     return cmocka_run_group_tests_name("spread", tests, NULL, NULL);
