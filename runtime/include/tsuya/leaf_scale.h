@@ -14,9 +14,9 @@
 //
 // The leaf is a slab of two layers between smooth walls, as model leaf_body: per channel reduced
 // scattering depths sigma_s (1 - g) d and absorption depths sigma_a d of both layers. Light comes
-// along the normal. At 40 degrees it spreads as wide (deviation of R within 2 %, of T 5 %, of random
-// walks; at 80 degrees T up to 25 % wider) about a place .08 to .28 d further along its way, which
-// the blur leaves out.
+// along the normal. At 40 degrees it spreads as wide (deviation of R within 2 %, of T 5 %, of
+// random walks; at 80 degrees T up to 25 % wider) about a place .08 to .28 d further along its way,
+// which the blur leaves out.
 //
 // Error of the radii (TSU_LEAF_TRANSPORT): the transport equation is solved for 20 spatial
 // frequencies (optics/slab_spread.h) and six Gaussians are fitted. Against random walks over n 1.35
