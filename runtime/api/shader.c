@@ -30,7 +30,7 @@ static tsu_status reject(const tsu_context *context, const char *what, uint32_t 
 static tsu_status check(const tsu_context *context, const tsu_shader_desc *desc)
 {
     const uint32_t known = TSU_SHADER_ARRAY | TSU_SHADER_PROBE | TSU_SHADER_HARNESS |
-                           TSU_SHADER_FINE | TSU_SHADER_LIGHTS | TSU_SHADER_LEAF_BLUR;
+                           TSU_SHADER_FINE | TSU_SHADER_LIGHTS | TSU_SHADER_BLUR;
     if (desc->flags & ~known)
         return reject(context, "flags", desc->flags, "TSU_SHADER_* bits");
     if (desc->reserved)

@@ -1,4 +1,4 @@
-// tsu_leaf_blur() on the GPU against exact convolution of the map with the Gaussians: borders,
+// tsu_blur() on the GPU against exact convolution of the map with the Gaussians: borders,
 // shadows of veins, spots and noise, at several sizes of texels; and the limits.
 #include <stdarg.h>
 #include <stddef.h>
@@ -95,7 +95,7 @@ static GLuint blur_program(const char *function)
     const tsu_model *model = tsu_deep_opacity(); // any; it asks for no tables
     tsu_shader_desc_init(&desc);
     desc.target = fixture.gl.es ? TSU_TARGET_300ES : TSU_TARGET_330;
-    desc.flags = TSU_SHADER_LEAF_BLUR;
+    desc.flags = TSU_SHADER_BLUR;
     desc.model_count = 1;
     desc.models = &model;
     assert_int_equal(tsu_shader_create(context, &desc, &shader), TSU_OK);
@@ -164,8 +164,8 @@ static void blurs_are_convolutions(void **state)
     static const double bound[2][2] = {{0.06, 0.008}, {0.18, 0.022}};
     struct fixture_target target;
     assert_true(fixture_target_create(&fixture, &target, POINTS, POINTS));
-    const GLuint fine = blur_program("tsu_leaf_blur"),
-                 coarse = blur_program("tsu_leaf_blur_coarse");
+    const GLuint fine = blur_program("tsu_blur"),
+                 coarse = blur_program("tsu_blur_coarse");
     const GLuint texture = map_texture();
     for (int side = 0; side < 2; side++)
         for (int t = 0; t < 2; t++) {
@@ -205,8 +205,8 @@ static void limits_are_the_map_and_its_mean(void **state)
     (void)state;
     struct fixture_target target;
     assert_true(fixture_target_create(&fixture, &target, POINTS, POINTS));
-    const GLuint programs[2] = {blur_program("tsu_leaf_blur"),
-                                blur_program("tsu_leaf_blur_coarse")};
+    const GLuint programs[2] = {blur_program("tsu_blur"),
+                                blur_program("tsu_blur_coarse")};
     const GLuint texture = map_texture();
     for (int i = 0; i < SIZE * SIZE; i++)
         for (int k = 0; k < 4; k++)

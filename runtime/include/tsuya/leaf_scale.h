@@ -10,7 +10,7 @@
 //                             thread, three jobs; 130 for the default leaf, most for thick white
 //                             ones of g 0.8
 //   tsu_leaf_scale_judge()    for a pixel and a curvature: is a BRDF and a BTDF enough, and why
-//   tsu_leaf_blur()           GLSL, asked for with TSU_SHADER_LEAF_BLUR
+//   tsu_blur()                GLSL, asked for with TSU_SHADER_BLUR
 //
 // The leaf is a slab of two layers between smooth walls, as model leaf_body: per channel reduced
 // scattering depths sigma_s (1 - g) d and absorption depths sigma_a d of both layers. Light comes
@@ -27,10 +27,10 @@
 // Blur. The host keeps a map of the irradiance that falls on each side, in the leaf's own texture
 // space, with mip maps, and puts
 //
-//   vec3 tsu_leaf_blur(sampler2D map, vec2 uv, vec2 texels_per_mm, vec4 gaussians[6])
+//   vec3 tsu_blur(sampler2D map, vec2 uv, vec2 texels_per_mm, vec4 gaussians[6])
 //
 // in the place of the irradiance at the point: of the far side with `transmitted`, of the seen side
-// with `reflected`. 16 trilinear fetches for four Gaussians; tsu_leaf_blur_coarse(), the same
+// with `reflected`. 16 trilinear fetches for four Gaussians; tsu_blur_coarse(), the same
 // arguments, 4. Error against the exact convolution, of the contrast: 0.05 at the worst, 0.006 root
 // mean square; coarse 0.15 and 0.014. To these adds fit_error. A separable blur of the host's own
 // takes the same numbers: the answer is sum_j weight_j * (map blurred by a Gaussian of deviation
@@ -105,7 +105,7 @@ typedef struct tsu_leaf_scale {
     float straight[3];         // passes without meeting anything: blurs nothing
     float reflected_radius[3]; // that holds `fraction` of the reflectance
     float transmitted_radius[3]; // and of the transmittance
-    // What tsu_leaf_blur() takes as vec4[6]: weights of the channels, which sum to 1 (0 where there
+    // What tsu_blur() takes as vec4[6]: weights of the channels, which sum to 1 (0 where there
     // is no light), and standard deviation in mm, which rises.
     float reflected[24], transmitted[24];
     tsu_leaf_refusal refusal[3]; // 0: none

@@ -56,7 +56,7 @@ enum {
     // Add the snippets of lights and environments (tsuya/light.h).
     TSU_SHADER_LIGHTS = 16,
     // Add the snippet of light that spreads inside leaves (tsuya/leaf_scale.h).
-    TSU_SHADER_LEAF_BLUR = 32
+    TSU_SHADER_BLUR = 32
 };
 
 typedef struct tsu_shader_desc {

@@ -15,7 +15,7 @@
 // 0.15 and 0.014.
 
 // Deviations along u and v in texels; the mean variance of a mip-mapped, linear tap of level lod.
-float tsu_leaf_blur_own(float lod)
+float tsu_blur_own(float lod)
 {
     float texel2 = exp2(2.0 * floor(lod)) * (1.0 + 3.0 * fract(lod));
     // A box as wide as the texel, and the tent of the filter; the first level's box is the map's.
@@ -23,16 +23,16 @@ float tsu_leaf_blur_own(float lod)
 }
 
 // Level whose texels are `wide` texels wide.
-float tsu_leaf_blur_level(sampler2D map, float wide)
+float tsu_blur_level(sampler2D map, float wide)
 {
     ivec2 size = textureSize(map, 0);
     return clamp(log2(max(wide, 1.0)), 0.0, floor(log2(float(max(size.x, size.y)))));
 }
 
-vec3 tsu_leaf_blur_one(sampler2D map, vec2 uv, vec2 sigma)
+vec3 tsu_blur_one(sampler2D map, vec2 uv, vec2 sigma)
 {
-    float lod = tsu_leaf_blur_level(map, 1.4 * sqrt(sigma.x * sigma.y));
-    vec2 a = sqrt(max(sigma * sigma - tsu_leaf_blur_own(lod), 0.0)) / vec2(textureSize(map, 0));
+    float lod = tsu_blur_level(map, 1.4 * sqrt(sigma.x * sigma.y));
+    vec2 a = sqrt(max(sigma * sigma - tsu_blur_own(lod), 0.0)) / vec2(textureSize(map, 0));
     vec2 b = vec2(a.x, -a.y);
     return 0.25 * (textureLod(map, uv + a, lod).rgb + textureLod(map, uv - a, lod).rgb +
                    textureLod(map, uv + b, lod).rgb + textureLod(map, uv - b, lod).rgb);
@@ -44,24 +44,24 @@ vec3 tsu_leaf_blur_one(sampler2D map, vec2 uv, vec2 sigma)
 //   texels_per_mm  texels of its first level a millimetre on the leaf, along u and v; within 1 : 2
 //                  of each other, or the blur is too narrow along the coarser axis
 //   gaussians      tsu_leaf_scale.reflected or .transmitted
-vec3 tsu_leaf_blur(sampler2D map, vec2 uv, vec2 texels_per_mm, vec4 gaussians[6])
+vec3 tsu_blur(sampler2D map, vec2 uv, vec2 texels_per_mm, vec4 gaussians[6])
 {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < 6; i++) {
         if (gaussians[i].w > 0.0) {
-            sum += gaussians[i].rgb * tsu_leaf_blur_one(map, uv, gaussians[i].w * texels_per_mm);
+            sum += gaussians[i].rgb * tsu_blur_one(map, uv, gaussians[i].w * texels_per_mm);
         }
     }
     return sum;
 }
 
 // The same with one tap a Gaussian.
-vec3 tsu_leaf_blur_coarse(sampler2D map, vec2 uv, vec2 texels_per_mm, vec4 gaussians[6])
+vec3 tsu_blur_coarse(sampler2D map, vec2 uv, vec2 texels_per_mm, vec4 gaussians[6])
 {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < 6; i++) {
         vec2 sigma = gaussians[i].w * texels_per_mm;
-        float lod = tsu_leaf_blur_level(map, sqrt(4.0 * sigma.x * sigma.y + 0.3333333));
+        float lod = tsu_blur_level(map, sqrt(4.0 * sigma.x * sigma.y + 0.3333333));
         sum += gaussians[i].rgb * textureLod(map, uv, lod).rgb;
     }
     return sum;
