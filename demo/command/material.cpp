@@ -13,9 +13,11 @@
 #include <cstring>
 #include <stdexcept>
 
-namespace tsuya::command {
+namespace tsuya::command
+{
 
-namespace {
+namespace
+{
 
 bool is_angle(const tsu_parameter_info &parameter)
 {
@@ -25,6 +27,27 @@ bool is_angle(const tsu_parameter_info &parameter)
 bool is_pigment(const std::string &key)
 {
     return key == "eumelanin" || key == "pheomelanin";
+}
+
+const scene::LeafKey *leaf_key(const std::string &key)
+{
+    for (const scene::LeafKey &known : scene::leaf_keys()) {
+        if (key == known.name) {
+            return &known;
+        }
+    }
+    return nullptr;
+}
+
+bool is_leaf(const std::string &key)
+{
+    return key == "leaf" || leaf_key(key);
+}
+
+// What the words of a leaf set.
+bool is_layer(const std::string &key)
+{
+    return key.rfind("scatter_", 0) == 0 || key.rfind("absorption_", 0) == 0;
 }
 
 } // namespace
@@ -102,6 +125,12 @@ std::vector<std::string> Material::keys() const
     if (find("sigma_a")) {
         keys.insert(keys.end(), {"eumelanin", "pheomelanin", "color", "albedo", "head_albedo"});
     }
+    if (scene::has_leaf(model_)) {
+        keys.push_back("leaf");
+        for (const scene::LeafKey &key : scene::leaf_keys()) {
+            keys.push_back(key.name);
+        }
+    }
     return keys;
 }
 
@@ -167,6 +196,41 @@ bool Material::set_color(const std::string &key, const std::string &text, std::s
     return true;
 }
 
+bool Material::set_leaf(const std::string &key, const std::string &text, std::string &error)
+{
+    const scene::LeafKey *const known = leaf_key(key);
+    if (!known) {
+        const std::vector<std::string> names = scene::leaf_names();
+        if (std::find(names.begin(), names.end(), text) == names.end()) {
+            error = "leaf: there is no leaf \"" + text + "\"" + suggestion(text, names) +
+                    "; the leaves are " + joined(names) + ".";
+            return false;
+        }
+        leaf_.name = text;
+        return true;
+    }
+    std::vector<double> values;
+    if (!parse_numbers(text, values, error)) {
+        error = key + ": " + error + ".";
+        return false;
+    }
+    if (values.size() != 1 && !(known->face && values.size() == 3)) {
+        error = key + " takes " + (known->face ? "one or three numbers" : "one number") + ", not " +
+                std::to_string(values.size()) + ".";
+        return false;
+    }
+    for (const double value : values) {
+        if (!(value >= known->low && value <= known->high)) {
+            error = key + ": " + number_text(value, 15) + " is outside [" +
+                    number_text(known->low, 10) + ", " + number_text(known->high, 10) + "].";
+            return false;
+        }
+    }
+    values.resize(3, values[0]);
+    leaf_.values[key] = {values[0], values[1], values[2]};
+    return true;
+}
+
 bool Material::set(const std::string &word, std::string &error)
 {
     const std::size_t equals = word.find('=');
@@ -185,18 +249,25 @@ bool Material::set(const std::string &word, std::string &error)
     const bool degrees = key.size() > 4 && key.compare(key.size() - 4, 4, "_deg") == 0;
     const std::string name = degrees ? key.substr(0, key.size() - 4) : key;
     const tsu_parameter_info *const parameter = find(name);
-    const bool absorption = !parameter || name == "sigma_a";
+    const bool absorption = (!parameter && !is_leaf(name)) || name == "sigma_a";
     for (const std::string &other : given_) {
-        const bool both_absorption = absorption && (!find(other) || other == "sigma_a");
+        const bool both_absorption =
+            absorption && ((!find(other) && !is_leaf(other)) || other == "sigma_a");
         if (other == name || (both_absorption && !(is_pigment(other) && is_pigment(name)))) {
             error = other == name ? name + " is given twice."
                                   : name + " and " + other + " both set the absorption; give one.";
             return false;
         }
+        if ((is_leaf(name) && is_layer(other)) || (is_layer(name) && is_leaf(other))) {
+            error = name + " and " + other + " both set the layers of the leaf; give one.";
+            return false;
+        }
     }
     given_.insert(name);
-    return parameter ? set_parameter(*parameter, key, text, degrees ? degree : 1.0, error)
-                     : set_color(key, text, error);
+    if (parameter) {
+        return set_parameter(*parameter, key, text, degrees ? degree : 1.0, error);
+    }
+    return is_leaf(name) ? set_leaf(name, text, error) : set_color(key, text, error);
 }
 
 bool Material::finish(std::string &error)
@@ -234,6 +305,13 @@ bool Material::finish(std::string &error)
     }
     if (status == TSU_OK && color) {
         store(*find("sigma_a"), {sigma_a[0], sigma_a[1], sigma_a[2]});
+    }
+    if (status == TSU_OK && !leaf_.empty()) {
+        error = scene::set_leaf(host_.context(), model_, leaf_, storage_.data(), status);
+        if (!error.empty()) {
+            error += ".";
+            return false;
+        }
     }
     if (status == TSU_OK) {
         status = tsu_model_params_check(host_.context(), model_, storage_.data());

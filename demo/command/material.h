@@ -4,13 +4,16 @@
 
 #include "host.h"
 
+#include "../scene/leaf_material.h"
+
 #include <tsuya/model.h>
 
 #include <set>
 #include <string>
 #include <vector>
 
-namespace tsuya::command {
+namespace tsuya::command
+{
 
 // The model's typed parameters, filled with defaults and then word by word.
 //
@@ -18,7 +21,8 @@ namespace tsuya::command {
 // "_deg". A colour takes three numbers, r,g,b, or one for all. Where the model has an absorption
 // sigma_a, it can also be said by `eumelanin` and `pheomelanin`, by `color` (a preset's name), by
 // `albedo` (of one fibre; r,g,b or one) or by `head_albedo` (of thick hair). Every key may be given
-// once, and absorption in one way.
+// once, and absorption in one way. The layers of a leaf can also be said by `leaf` (a name), by its
+// contents (`chlorophyll`, ...) over that, or by `R_top`, `R_bottom` and `T`.
 class Material
 {
   public:
@@ -29,7 +33,8 @@ class Material
     // out of range (with the range in the unit of the key), said twice.
     bool set(const std::string &word, std::string &error);
 
-    // Turns pigments, preset or albedos into sigma_a and lets the library check the whole.
+    // Turns pigments, preset or albedos into sigma_a, a leaf into layers, and lets the library
+    // check the whole.
     bool finish(std::string &error);
 
     void *params();
@@ -38,6 +43,7 @@ class Material
 
   private:
     bool set_color(const std::string &key, const std::string &text, std::string &error);
+    bool set_leaf(const std::string &key, const std::string &text, std::string &error);
     bool set_parameter(const tsu_parameter_info &parameter, const std::string &key,
                        const std::string &text, double scale, std::string &error);
     void store(const tsu_parameter_info &parameter, const std::vector<double> &values);
@@ -51,6 +57,7 @@ class Material
     double eumelanin_ = 0, pheomelanin_ = 0;
     std::vector<double> albedo_; // of what the key given says
     std::string preset_;
+    scene::LeafWords leaf_;
 };
 
 // Numbers between commas. Errors: an empty or unreadable one.

@@ -276,6 +276,37 @@ AT(tsu_plane_parallel_hair_params, scale_shifts, 36);
 AT(tsu_plane_parallel_hair_params, d_f, 40);
 AT(tsu_plane_parallel_hair_params, d_b, 44);
 
+SIZE(tsu_leaf_pigments, 80);
+AT(tsu_leaf_pigments, struct_size, 0);
+AT(tsu_leaf_pigments, flags, 4);
+AT(tsu_leaf_pigments, N, 8);
+AT(tsu_leaf_pigments, chlorophyll, 16);
+AT(tsu_leaf_pigments, carotenoids, 24);
+AT(tsu_leaf_pigments, anthocyanins, 32);
+AT(tsu_leaf_pigments, brown, 40);
+AT(tsu_leaf_pigments, water, 48);
+AT(tsu_leaf_pigments, dry_matter, 56);
+AT(tsu_leaf_pigments, n, 64);
+AT(tsu_leaf_pigments, bottom, 72);
+
+SIZE(tsu_leaf_reflectance, 88);
+AT(tsu_leaf_reflectance, struct_size, 0);
+AT(tsu_leaf_reflectance, flags, 4);
+AT(tsu_leaf_reflectance, n, 8);
+AT(tsu_leaf_reflectance, R_top, 16);
+AT(tsu_leaf_reflectance, R_bottom, 40);
+AT(tsu_leaf_reflectance, T, 64);
+
+SIZE(tsu_leaf_report, 112);
+AT(tsu_leaf_report, struct_size, 0);
+AT(tsu_leaf_report, flags, 4);
+AT(tsu_leaf_report, R_top, 8);
+AT(tsu_leaf_report, R_bottom, 32);
+AT(tsu_leaf_report, T, 56);
+AT(tsu_leaf_report, residual, 80);
+AT(tsu_leaf_report, limited, 104);
+AT(tsu_leaf_report, raised, 108);
+
 SIZE(tsu_leaf_scale_desc, 88);
 AT(tsu_leaf_scale_desc, struct_size, 0);
 AT(tsu_leaf_scale_desc, flags, 4);

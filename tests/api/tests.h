@@ -8,6 +8,7 @@ int model_tests(void);
 int null_tests(void);
 int color_tests(void);
 int head_tests(void);
+int leaf_tests(void);
 int leaf_scale_tests(void);
 int leaf_scale_edge_tests(void);
 

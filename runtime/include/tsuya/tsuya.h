@@ -10,6 +10,7 @@
 #include <tsuya/gl.h>
 #include <tsuya/hair_color.h>
 #include <tsuya/hair_shadow.h>
+#include <tsuya/leaf.h>
 #include <tsuya/leaf_scale.h>
 #include <tsuya/light.h>
 #include <tsuya/models/deep_opacity.h>
