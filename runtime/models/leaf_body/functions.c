@@ -4,6 +4,7 @@
 
 #include "base/half.h"
 #include "base/host.h"
+#include "models/leaf_body/functions_prospect.h"
 #include "models/leaf_body/state.h"
 #include "models/values.h"
 #include "optics/angle.h"
@@ -284,4 +285,5 @@ const struct tsu_i_function tsu_i_leaf_functions[LEAF_FUNCTIONS] = {
      .scratch_bytes = LEAF_ANSWER_BYTES,
      .material = tsu_i_leaf_material,
      .answer = body_answer,
-     .sampled = body_sampled}};
+     .sampled = body_sampled},
+    LEAF_PROSPECT};

@@ -1,0 +1,72 @@
+"""Cases of command_test.py: leaves in words, and what they are made of."""
+
+import os
+import tempfile
+
+from command_support import case, expect, output, refused, table
+
+# PROSPECT-D by its authors, shipped with github.com/jgomezdans/prosail in tests/data: N 1.2, Cab 30,
+# Car 10, Ant 1, Cw 0.015, Cm 0.009; lambda, R, T.
+RUN_D = '''
+400,0.043088,0.000701
+440,0.041348,0.001487
+480,0.041099,0.009585
+520,0.073960,0.104443
+560,0.125130,0.192810
+600,0.079865,0.126838
+640,0.056082,0.081580
+680,0.036410,0.017985
+700,0.128955,0.210680
+740,0.359378,0.499282
+780,0.385428,0.531516
+'''
+PROSPECT = ('eval', 'prospect', '--on', 'reference')
+HEAD = 'N,Cab,Car,Ant,Cbrown,Cw,Cm,lambda_nm\n'
+
+
+@case
+def prospect_meets_its_authors():
+    rows = [list(map(float, line.split(','))) for line in RUN_D.split()]
+    text = HEAD + ''.join(f'1.2,30,10,1,0,0.015,0.009,{row[0]}\n' for row in rows)
+    head, got = table(output(*PROSPECT, text=text))
+    expect(head[-2:] == ['R_leaf', 'T_leaf'], head)
+    for row, cells in zip(rows, got):
+        for want, cell in zip(row[1:], cells[-2:]):
+            expect(abs(float(cell) - want) <= 1e-6, f'{row[0]} nm: {cell}, not {want}')
+
+
+@case
+def prospect_has_ends():
+    for line, part in (('1.2,30,10,1,0,0,0,399', '[400, 780]'), ('0.9,30,10,1,0,0,0,500', 'N'),
+                       ('1.2,-1,10,1,0,0,0,500', 'Cab'), ('1.2,30,10,1,0,0,nan,500', 'Cm')):
+        refused(PROSPECT, HEAD + line + '\n', part)
+    _, rows = table(output(*PROSPECT, text=HEAD + '1,0,0,0,0,0,0,780\n10,1e6,0,0,1e6,1e6,1e6,400\n'))
+    white, black = ([float(cell) for cell in row[-2:]] for row in rows)
+    expect(abs(sum(white) - 1) <= 1e-9, f'white: {white}')
+    expect(0.03 < black[0] < 0.05 and black[1] == 0, f'black: {black}')
+    refused(('eval', 'prospect', '--on', 'gpu'), HEAD, 'reference only')
+
+
+@case
+def a_leaf_in_words():
+    with tempfile.TemporaryDirectory() as folder:
+        pages = []
+        for words in ((), ('leaf=red_autumn',), ('leaf=red_autumn', 'chlorophyll=40'),
+                      ('chlorophyll=40', 'bottom=2'), ('R_top=0.1,0.15,0.05', 'T=0.1'),
+                      ('R_top=0.1,0.15,0.05', 'R_bottom=0.2', 'T=0.1')):
+            block = folder + '/page.block'
+            output('bake', 'leaf_body', *words, '--no-measure', '-o', folder + '/t.bin', '--block',
+                   block)
+            with open(folder + '/t.bin', 'rb') as file:
+                pages.append(file.read())
+            os.remove(folder + '/t.bin')
+        expect(len(set(pages)) == len(pages), 'two leaves have the same table')
+        bad = ((('leaf=gras',), 'did you mean grass'), (('leaf=grass', 'R_top=0.1'), 'give either'),
+               (('R_top=0.1',), 'T is missing'), (('R_top=0.5', 'T=0.6'), 'nearest possible'),
+               (('R_top=0.01', 'T=0.1'), 'index 1.45'), (('T=2', 'R_top=0.1'), 'outside'),
+               (('chlorophyll=1,2',), 'one number'), (('leaf=grass', 'leaf=needle'), 'twice'),
+               (('leaf=grass', 'scatter_top=0.1'), 'both set the layers'),
+               (('R_top=0.2947', 'R_bottom=0.5894', 'T=0.2858'), "two layers' reach"))
+        for words, part in bad:
+            refused(['bake', 'leaf_body', *words, '-o', folder + '/u.bin'], None, part)
+        expect(not os.path.exists(folder + '/u.bin'), 'a file was written')
