@@ -66,6 +66,20 @@ tsu_leaf_lobes tsu_leaf_bent_eval(int material, vec3 n, vec3 l, vec3 v, float pi
         frame.through ? 0.0 : tsu_leaf_coat(material, n_l, n_v, l_v), frame.through);
 }
 
+// A leaf of one pigment and one thickness, see glsl/leaf_body/uniform.glsl.
+tsu_leaf_lobes tsu_leaf_uniform(int material, vec3 n, vec3 l, vec3 v, mat3x4 a, mat3x4 b)
+{
+    float n_l = dot(n, l);
+    float n_v = dot(n, v);
+    float l_v = dot(l, v);
+    tsu_leaf_body_frame frame =
+        tsu_leaf_body_directions(material, n_l, n_v, l_v, n_l > 0.0, n_v > 0.0,
+                                 TSU_RECORD(material, 3).w);
+    return tsu_leaf_lobes(tsu_leaf_body_numbers(frame, a, b),
+                          frame.through ? 0.0 : tsu_leaf_coat(material, n_l, n_v, l_v),
+                          frame.through);
+}
+
 vec3 tsu_leaf_sum(tsu_leaf_lobes lobes)
 {
     return lobes.body + lobes.specular;

@@ -63,6 +63,52 @@ static void bake_with(tsu_context *context, float beta_az)
     print(what, times, "ms", 1e-3);
 }
 
+static void bake_leaf(tsu_context *context)
+{
+    double times[RUNS];
+    for (int i = 0; i < RUNS; i++) {
+        tsu_set_desc desc;
+        tsu_set *set;
+        tsu_leaf_params params;
+        uint32_t material;
+        tsu_set_desc_init(&desc);
+        require(tsu_set_create(context, &desc, &set));
+        tsu_leaf_params_init(&params);
+        params.n = 1.35f + 0.007f * (float)i;
+        require(tsu_set_add(set, tsu_leaf(), &params, &material));
+        const double start = now_us();
+        require(tsu_set_bake(set));
+        times[i] = now_us() - start;
+        tsu_set_destroy(set);
+    }
+    print("bake of one leaf", times, "ms", 1e-3);
+
+    tsu_set_desc desc;
+    tsu_set *set;
+    tsu_leaf_params params;
+    uint32_t material;
+    float numbers[72];
+    tsu_set_desc_init(&desc);
+    require(tsu_set_create(context, &desc, &set));
+    tsu_leaf_params_init(&params);
+    require(tsu_set_add(set, tsu_leaf(), &params, &material));
+    require(tsu_set_bake(set));
+    for (int i = 0; i < RUNS; i++) {
+        params.pigment = 0.3f + 0.05f * (float)i;
+        const double start = now_us();
+        require(tsu_set_update(set, material, &params, NULL));
+        times[i] = now_us() - start;
+    }
+    print("another pigment for a leaf, no bake", times, "us", 1.0);
+    for (int i = 0; i < RUNS; i++) {
+        const double start = now_us();
+        require(tsu_leaf_body_uniform(set, material, 1.0f, 1.0f, numbers));
+        times[i] = now_us() - start;
+    }
+    print("a leaf's numbers for uniforms", times, "us", 1.0);
+    tsu_set_destroy(set);
+}
+
 int main(void)
 {
     tsu_context_desc desc;
@@ -71,6 +117,8 @@ int main(void)
     require(tsu_context_create(&desc, &context));
     for (float degrees = 5.0001f; degrees < 30.0f; degrees += 5.0f)
         bake_with(context, degrees / 57.29578f);
+
+    bake_leaf(context);
 
     tsu_set_desc set_desc;
     tsu_set *set;

@@ -24,7 +24,8 @@ FLOORS = {
 # A model that extends others builds on their private headers and calls their GLSL.
 EXTENDS = {'dual_scattering': ['marschner'],
            'plane_parallel_hair': ['marschner', 'dual_scattering'],
-           'leaf': ['leaf_body']}
+           'leaf': ['leaf_body'],
+           'leaf_coarse': ['leaf_body']}
 LIBC = {'ctype.h', 'float.h', 'limits.h', 'math.h', 'stdarg.h', 'stddef.h', 'stdint.h', 'stdlib.h',
         'string.h'}
 # Memory, files and output are the host's; only base speaks to it.
@@ -140,6 +141,7 @@ def check_glsl():
         longer = {f: ''.join(rf'(?!{g[len(f) + 1:]}_)' for g in folders if g.startswith(f + '_'))
                   for f in folders}
         own = [inside[1]] + EXTENDS.get(inside[1], [])
+        code = code.replace(f'tsu_{path.stem}', '')  # what the file itself is called
         others = [f for f in folders
                   if f not in own and re.search(rf'\btsu_{f}_{longer[f]}', code)]
         if others:

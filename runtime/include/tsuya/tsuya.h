@@ -18,6 +18,7 @@
 #include <tsuya/models/kajiya_kay.h>
 #include <tsuya/models/leaf.h>
 #include <tsuya/models/leaf_body.h>
+#include <tsuya/models/leaf_coarse.h>
 #include <tsuya/models/marschner.h>
 #include <tsuya/models/opacity_shadow.h>
 #include <tsuya/models/plane_parallel_hair.h>

@@ -32,7 +32,7 @@ static const tsu_error_info errors[] = {
 };
 
 static const char *const snippets[] = {"leaf_body/eval.glsl", "leaf_body/ambient.glsl",
-                                       "leaf/eval.glsl", NULL};
+                                       "leaf_body/uniform.glsl", "leaf/eval.glsl", NULL};
 
 static void prepare(const void *from, void *to)
 {

@@ -214,4 +214,9 @@ void tsu_i_leaf_fit(const struct leaf_frame *frame, const struct leaf_fitter *fi
     numbers[0] = (float)log2(fmax(first, least));
     for (int t = 1; t < LEAF_TERMS; t++)
         numbers[t] = trust > 0.0 ? (float)(trust * c[t] * spreading.whole / first) : 0.0f;
+    if (fitter->count[set] < LEAF_TERMS) {
+        // The coarse form has all of its terms in texel A.
+        numbers[3] = numbers[6];
+        numbers[6] = 0.0f;
+    }
 }

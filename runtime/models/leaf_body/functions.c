@@ -2,7 +2,6 @@
 // of directions.
 #include "models/leaf_body/functions.h"
 
-#include "base/half.h"
 #include "base/host.h"
 #include "models/leaf_body/functions_prospect.h"
 #include "models/leaf_body/state.h"
@@ -185,31 +184,9 @@ tsu_status tsu_i_leaf_answer(const tsu_context *context, const double *in, doubl
     return TSU_OK;
 }
 
-static float clamp01(float x)
-{
-    return x > 0.0f ? x < 1.0f ? x : 1.0f : 0.0f;
-}
-
-static void texel(const struct tsu_i_texels *table, float x, float y, float out[4])
-{
-    const int i = x < LEAF_PIGMENTS - 2 ? (int)x : LEAF_PIGMENTS - 2;
-    const float fx = x - (float)i;
-    const int j = (int)y;
-    const float fy = y - (float)j;
-    for (int k = 0; k < 4; k++) {
-        float row[2];
-        for (int r = 0; r < 2; r++) {
-            const uint16_t *at = table->texels + 4 * ((size_t)(j + r) * table->pitch + (size_t)i);
-            row[r] = tsu_i_half_float(at[k]) * (1.0f - fx) + tsu_i_half_float(at[4 + k]) * fx;
-        }
-        out[k] = row[0] * (1.0f - fy) + row[1] * fy;
-    }
-}
-
 void tsu_i_leaf_sampled(const struct leaf_state *state, const float *r,
                         const struct tsu_i_texels *tables, const double *in, double *out)
 {
-    (void)state;
     const float c_l = (float)in[MU0], c_v = (float)in[MU];
     const int through = in[KIND] > 0.5, below = in[SIDE] > 0.5, viewer_above = through == below;
     const double sines = sqrt((1.0 - in[MU0] * in[MU0]) * (1.0 - in[MU] * in[MU]));
@@ -224,24 +201,21 @@ void tsu_i_leaf_sampled(const struct leaf_state *state, const float *r,
     const float u_l = 1.0f - t_l, u_v = 1.0f - t_v;
     const float s = u_l + u_v, d = viewer_above ? u_l - u_v : u_v - u_l;
     const float grazing = c_l + c_v - 2.0f;
-    const float first[3] = {s, through ? d : u_l * u_v, through ? p * d : grazing};
+    const float third = state->coarse ? p - 1.0f : through ? p * d : grazing;
+    const float first[3] = {s, through ? d : u_l * u_v, third};
     const float second[4] = {u_l * u_l + u_v * u_v, z, p - 1.0f, p * s};
 
-    const float pigment = (float)in[ABSORPTION] * r[4], thickness = (float)in[THICKNESS] * r[5];
-    const float x = clamp01(sqrtf(pigment)) * (LEAF_PIGMENTS - 1);
-    const float y = clamp01(fminf(2.0f * thickness - 0.5f, thickness)) * (LEAF_THICKNESSES - 1);
-    const int set = through ? LEAF_THROUGH : below ? LEAF_BELOW : LEAF_TOP;
-    struct tsu_i_texels band = *tables;
-    band.texels += 4 * (size_t)(set * 3 * LEAF_THICKNESSES) * band.pitch;
     float a[4], b[4], f = 1.0f;
-    texel(&band, x, fminf(y, LEAF_THICKNESSES - 1.001f), a);
-    band.texels += (size_t)4 * LEAF_PIGMENTS;
-    texel(&band, x, fminf(y, LEAF_THICKNESSES - 1.001f), b);
+    tsu_i_leaf_read(r, tables, (float)in[ABSORPTION], (float)in[THICKNESS],
+                    through ? LEAF_THROUGH
+                    : below ? LEAF_BELOW
+                            : LEAF_TOP,
+                    0, a, b);
     for (int k = 0; k < 3; k++)
         f += a[1 + k] * first[k];
     for (int k = 0; k < 4; k++)
         f += b[k] * second[k];
-    f = clamp01(exp2f(a[0]) * f) * walls;
+    f = fminf(fmaxf(exp2f(a[0]) * f, 0.0f), 1.0f) * walls;
     out[0] = 0.0;
     out[1] = through ? 0.0 : (double)f;
     out[2] = through ? (double)f : 0.0;
@@ -250,6 +224,67 @@ void tsu_i_leaf_sampled(const struct leaf_state *state, const float *r,
         const double h = sqrt(fmax(2.0 + 2.0 * l_v, 1e-12));
         out[0] = tsu_i_leaf_coat(sqrt(1.0 + (double)r[14]), sqrt((double)r[12]), in[MU0], in[MU],
                                  (in[MU0] + in[MU]) / h, (1.0 + l_v) / h);
+    }
+}
+
+// "leaf-ambient": columns after the material.
+enum { AMBIENT_MU = MU0, AMBIENT_SIDE, AMBIENT_ABSORPTION, AMBIENT_THICKNESS, AMBIENT_COLUMNS };
+
+// What goes towards the viewer of uniform light is, by reciprocity, what goes everywhere of light
+// from there.
+static tsu_status ambient_answer(const tsu_context *context, const double *in, void *scratch,
+                                 double *out)
+{
+    struct question question;
+    const tsu_status status = ask(context, in, scratch, &question);
+    if (status != TSU_OK)
+        return status;
+    struct tsu_i_slab_layer layers[2];
+    struct tsu_i_slab_direction directions[DIRECTIONS];
+    struct tsu_i_slab_desc desc;
+    struct tsu_i_slab slab;
+    double full[COLUMNS];
+    memcpy(full, in, MU0 * sizeof *in);
+    full[MU0] = full[MU] = in[AMBIENT_MU];
+    full[ABSORPTION] = in[AMBIENT_ABSORPTION];
+    full[THICKNESS] = in[AMBIENT_THICKNESS];
+    describe(full, &question, layers, directions, &desc);
+    desc.modes = 1;
+    tsu_i_slab_solve(&slab, &desc, scratch);
+    const int side = in[AMBIENT_SIDE] > 0.5;
+    out[0] = (slab.reflectance[side][0] - slab.specular[side][0]) *
+             (1.0 + straight_share(&slab, question.n, side, 0));
+    out[1] = (slab.transmittance[side][0] - slab.direct[side][0]) *
+             (1.0 + straight_share(&slab, question.n, side, 1));
+    return TSU_OK;
+}
+
+static void ambient_sampled(const void *opaque, const float *r, const struct tsu_i_texels *tables,
+                            const double *in, double *out)
+{
+    const struct leaf_moments *h = &((const struct leaf_state *)opaque)->moments;
+    const float c = (float)in[AMBIENT_MU], x = 1.0f - sqrtf(c * c * r[6] + r[7]);
+    const float walls = (r[15] + c * (r[8] + r[9] * c)) / (1.0f + c * (r[10] + r[11] * c));
+    const int below = in[AMBIENT_SIDE] > 0.5;
+    for (int through = 0; through < 2; through++) {
+        const float p = h->p[through][0] + x * (h->p[through][1] + x * h->p[through][2]);
+        const float pu = h->pu[through][0] + x * (h->pu[through][1] + x * h->pu[through][2]);
+        const float sign = below ? -1.0f : 1.0f;
+        const float first[3] = {h->u[1] + x * h->u[0],
+                                through ? sign * (h->u[1] - x * h->u[0]) : x * h->u[1],
+                                through ? sign * (pu - x * p) : h->grazing + (c - 1.0f) * h->u[0]};
+        const float second[4] = {h->u[2] + x * x * h->u[0], 0.0f, p - h->u[0], pu + x * p};
+        float a[4], b[4], f = h->u[0];
+        tsu_i_leaf_read(r, tables, (float)in[AMBIENT_ABSORPTION], (float)in[AMBIENT_THICKNESS],
+                        through ? LEAF_THROUGH
+                        : below ? LEAF_BELOW
+                                : LEAF_TOP,
+                        0, a, b);
+        for (int k = 0; k < 3; k++)
+            f += a[1 + k] * first[k];
+        for (int k = 0; k < 4; k++)
+            f += b[k] * second[k];
+        out[through] = (double)fmaxf(walls * exp2f(a[0]) * f, 0.0f);
     }
 }
 
@@ -271,6 +306,12 @@ static void body_sampled(const void *state, const float *record, const struct ts
 }
 
 static const tsu_value_info body_inputs[] = {LEAF_COLUMNS};
+static const tsu_value_info ambient_inputs[] = {
+    LEAF_MATERIAL_COLUMNS, TSU_I_FRAGMENT("mu", "1", "cosine of the view, outside", 1e-3, 1, 1),
+    TSU_I_FRAGMENT("side", "top|bottom", "the side that is seen", 0, 1, 0), LEAF_FACTOR_COLUMNS};
+static const tsu_value_info ambient_outputs[] = {
+    TSU_I_OUTPUT("reflected", "1", "radiance in uniform light of radiance 1 on the seen side"),
+    TSU_I_OUTPUT("transmitted", "1", "the same of light on the other side")};
 static const tsu_value_info outputs[] = {LEAF_OUTPUTS};
 
 const struct tsu_i_function tsu_i_leaf_functions[LEAF_FUNCTIONS] = {
@@ -286,4 +327,16 @@ const struct tsu_i_function tsu_i_leaf_functions[LEAF_FUNCTIONS] = {
      .material = tsu_i_leaf_material,
      .answer = body_answer,
      .sampled = body_sampled},
+    {.info = {.struct_size = sizeof(tsu_function_info),
+              .name = "leaf-ambient",
+              .help = "a leaf without its coat in light that is uniform on each side",
+              .input_count = AMBIENT_COLUMNS,
+              .output_count = 2},
+     .inputs = ambient_inputs,
+     .outputs = ambient_outputs,
+     .probe = "leaf_body/probe_ambient.glsl",
+     .scratch_bytes = LEAF_ANSWER_BYTES,
+     .material = tsu_i_leaf_material,
+     .answer = ambient_answer,
+     .sampled = ambient_sampled},
     LEAF_PROSPECT};

@@ -18,7 +18,7 @@ tsu_status tsu_i_leaf_answer(const tsu_context *context, const double *in, doubl
 void tsu_i_leaf_sampled(const struct leaf_state *state, const float *record,
                         const struct tsu_i_texels *tables, const double *in, double *out);
 
-#define LEAF_COLUMNS                                                                               \
+#define LEAF_MATERIAL_COLUMNS                                                                      \
     TSU_I_MATERIAL("preset",                                                                       \
                    "none|young_green|mature_broadleaf|dark_shade|thick_waxy|grass|needle|"         \
                    "yellow_autumn|red_autumn|dry_brown",                                           \
@@ -29,8 +29,14 @@ void tsu_i_leaf_sampled(const struct leaf_state *state, const float *record,
                        0.129),                                                                     \
         TSU_I_MATERIAL("R_bottom", "1", "reflectance lit from below", 0, 1, 0.1806),               \
         TSU_I_MATERIAL("T", "1", "transmittance", 0, 1, 0.126),                                    \
-        TSU_I_MATERIAL("n", "1", "refractive index", 1.2, 1.8, 1.45),                              \
-        TSU_I_FRAGMENT("mu0", "1", "cosine of the light, outside", 1e-3, 1, 1),                    \
+        TSU_I_MATERIAL("n", "1", "refractive index", 1.2, 1.8, 1.45)
+
+#define LEAF_FACTOR_COLUMNS                                                                        \
+    TSU_I_FRAGMENT("absorption", "1", "factor on absorption", 0, 2, 1),                            \
+        TSU_I_FRAGMENT("thickness", "1", "factor on all depths", 0.5, 2, 1)
+
+#define LEAF_COLUMNS                                                                               \
+    LEAF_MATERIAL_COLUMNS, TSU_I_FRAGMENT("mu0", "1", "cosine of the light, outside", 1e-3, 1, 1), \
         TSU_I_FRAGMENT("mu", "1", "cosine of the view, outside", 1e-3, 1, 1),                      \
         TSU_I_FRAGMENT("phi", "rad",                                                               \
                        "azimuth from the light's direction of travel to that of the light that "   \
@@ -38,9 +44,7 @@ void tsu_i_leaf_sampled(const struct leaf_state *state, const float *record,
                        -1e6, 1e6, 0),                                                              \
         TSU_I_FRAGMENT("kind", "R|T", "the side that is seen: the lit one, or the other", 0, 1,    \
                        0),                                                                         \
-        TSU_I_FRAGMENT("side", "top|bottom", "the lit side", 0, 1, 0),                             \
-        TSU_I_FRAGMENT("absorption", "1", "factor on absorption", 0, 2, 1),                        \
-        TSU_I_FRAGMENT("thickness", "1", "factor on all depths", 0.5, 2, 1)
+        TSU_I_FRAGMENT("side", "top|bottom", "the lit side", 0, 1, 0), LEAF_FACTOR_COLUMNS
 
 #define LEAF_OUTPUTS                                                                               \
     TSU_I_OUTPUT("specular", "1/sr", "BRDF of the coat"),                                          \

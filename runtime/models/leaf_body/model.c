@@ -43,7 +43,8 @@ const struct tsu_i_table tsu_i_leaf_tables[1] = {
      .bake = tsu_i_leaf_bake,
      .finish = tsu_i_leaf_finish}};
 
-static const char *const snippets[] = {"leaf_body/eval.glsl", "leaf_body/ambient.glsl", NULL};
+static const char *const snippets[] = {"leaf_body/eval.glsl", "leaf_body/ambient.glsl",
+                                       "leaf_body/uniform.glsl", NULL};
 
 void tsu_i_leaf_body_prepare(const void *from, void *to)
 {

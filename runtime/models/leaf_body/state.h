@@ -115,6 +115,10 @@ struct leaf_room {
 void tsu_i_leaf_bake(const void *state, uint32_t unit, void *scratch, float *texels);
 void tsu_i_leaf_finish(const void *state, float *texels);
 
+// read.c: both texels of a set and a channel, by factors of a fragment.
+void tsu_i_leaf_read(const float *record, const struct tsu_i_texels *table, float pigment,
+                     float thickness, int set, int channel, float a[4], float b[4]);
+
 // walls.c
 double tsu_i_leaf_walls_pass(const float walls[5], double cosine);
 // Walls, moments and `entered` out of n and roughness.
@@ -134,7 +138,7 @@ void tsu_i_leaf_body_record(const void *state, const struct tsu_i_place *places,
 extern const struct tsu_i_table tsu_i_leaf_tables[1];
 
 // functions.c
-enum { LEAF_FUNCTIONS = 2 };
+enum { LEAF_FUNCTIONS = 3 };
 extern const struct tsu_i_function tsu_i_leaf_functions[LEAF_FUNCTIONS];
 
 #endif

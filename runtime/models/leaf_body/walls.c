@@ -98,7 +98,7 @@ static void fit_walls(const struct leaf_state *state, float walls[5])
         walls[k] = (float)(m[k][5] / m[k][k]);
 }
 
-enum { COSINES = 12, TURNS = 12 };
+enum { COSINES = 24, TURNS = 8 };
 
 static double node(int i)
 {
