@@ -164,8 +164,7 @@ static void blurs_are_convolutions(void **state)
     static const double bound[2][2] = {{0.06, 0.008}, {0.18, 0.022}};
     struct fixture_target target;
     assert_true(fixture_target_create(&fixture, &target, POINTS, POINTS));
-    const GLuint fine = blur_program("tsu_blur"),
-                 coarse = blur_program("tsu_blur_coarse");
+    const GLuint fine = blur_program("tsu_blur"), coarse = blur_program("tsu_blur_coarse");
     const GLuint texture = map_texture();
     for (int side = 0; side < 2; side++)
         for (int t = 0; t < 2; t++) {
@@ -205,8 +204,7 @@ static void limits_are_the_map_and_its_mean(void **state)
     (void)state;
     struct fixture_target target;
     assert_true(fixture_target_create(&fixture, &target, POINTS, POINTS));
-    const GLuint programs[2] = {blur_program("tsu_blur"),
-                                blur_program("tsu_blur_coarse")};
+    const GLuint programs[2] = {blur_program("tsu_blur"), blur_program("tsu_blur_coarse")};
     const GLuint texture = map_texture();
     for (int i = 0; i < SIZE * SIZE; i++)
         for (int k = 0; k < 4; k++)
