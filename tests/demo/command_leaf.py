@@ -47,6 +47,28 @@ def prospect_has_ends():
     refused(('eval', 'prospect', '--on', 'gpu'), HEAD, 'reference only')
 
 
+# Means of PROSPECT-D over 610..680, 530..570, 430..490 nm of a young, a dark and a yellow leaf.
+BANDS = ((0.0650, 0.0787, 1.4483), (0.1630, 0.2124, 1.4737), (0.0429, 0.0122, 1.4942),
+         (0.0406, 0.0064, 1.4483), (0.0995, 0.0561, 1.4737), (0.0410, 0.0002, 1.4942),
+         (0.2947, 0.2858, 1.4483), (0.2869, 0.2649, 1.4737), (0.0569, 0.0246, 1.4942))
+
+
+@case
+def layers_do_what_is_asked():
+    words = ('eval', 'leaf-layers', '--on', 'reference')
+    text = 'R_top,R_bottom,T,n\n' + ''.join(f'{R},{1.4 * R!r},{T},{n}\n' for R, T, n in BANDS)
+    head, rows = table(output(*words, text=text))
+    expect(head[4:] == ['scatter_top', 'absorption_top', 'scatter_bottom', 'absorption_bottom',
+                        'residual'], head)
+    for row in rows:
+        expect(float(row[8]) <= 1e-7, f'{row}')
+        expect(abs(float(row[4]) - 0.1) <= 1e-9, f'{row}')
+    for R, T, n in (BANDS[6], BANDS[7]):
+        refused(words, f'R_top,R_bottom,T,n\n{R},{2 * R},{T},{n}\n', 'no two layers', 'nearest')
+    refused(words, 'R_top,R_bottom,T\n0.4,0.4,0.7\n', 'more than all light')
+    refused(words, 'R_top,R_bottom,T\n0.02,0.1,0.1\n', 'the surface alone reflects more')
+
+
 @case
 def a_leaf_in_words():
     with tempfile.TemporaryDirectory() as folder:

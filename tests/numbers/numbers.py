@@ -234,6 +234,35 @@ def leaves():
     report('the same where less than 2 % of light goes, 1/sr', dim, 1e-3)
 
 
+# PROSPECT-D by its authors (shipped with github.com/jgomezdans/prosail): N 1.2, Cab 30, Car 10,
+# Ant 1, Cw 0.015, Cm 0.009 at 400, 420, .. 780 nm; R, T.
+RUN_D = '''0.043088,0.000701 0.042020,0.001340 0.041348,0.001487 0.041060,0.005797
+0.041099,0.009585 0.044351,0.029129 0.073960,0.104443 0.116165,0.176406 0.125130,0.192810
+0.093589,0.147770 0.079865,0.126838 0.064719,0.099508 0.056082,0.081580 0.041735,0.041453
+0.036410,0.017985 0.128955,0.210680 0.283872,0.409961 0.359378,0.499282 0.378083,0.522386
+0.385428,0.531516'''
+# Leaves of PROSPECT-D in three bands: R, T, n.
+BANDS = ((0.0650, 0.0787, 1.4483), (0.1630, 0.2124, 1.4737), (0.0429, 0.0122, 1.4942),
+         (0.0406, 0.0064, 1.4483), (0.0995, 0.0561, 1.4737), (0.0410, 0.0002, 1.4942),
+         (0.2947, 0.2858, 1.4483), (0.2869, 0.2649, 1.4737), (0.0569, 0.0246, 1.4942),
+         (0.2414, 0.0958, 1.4483), (0.1836, 0.0564, 1.4737), (0.1037, 0.0176, 1.4942),
+         (0.0629, 0.0076, 1.4483), (0.1835, 0.0563, 1.4737), (0.0440, 0.0004, 1.4942))
+
+
+def contents():
+    """What leaves are made of, and the layers that follow."""
+    truth = [tuple(map(float, pair.split(','))) for pair in RUN_D.split()]
+    rows = [(1.2, 30, 10, 1, 0, 0.015, 0.009, 400 + 20 * i) for i in range(len(truth))]
+    columns = ('N', 'Cab', 'Car', 'Ant', 'Cbrown', 'Cw', 'Cm', 'lambda_nm')
+    answers = evaluate('prospect', 'reference', columns, rows)
+    report('PROSPECT-D against its authors\' output', max(
+        max(abs(a['R_leaf'] - R), abs(a['T_leaf'] - T)) for a, (R, T) in zip(answers, truth)), 1e-5)
+    rows = [(R, 1.4 * R, T, n) for R, T, n in BANDS]
+    answers = evaluate('leaf-layers', 'reference', ('R_top', 'R_bottom', 'T', 'n'), rows)
+    report('R_top, R_bottom and T of the layers found for leaves',
+           max(a['residual'] for a in answers), 1e-4)
+
+
 def size():
     models = {m['name']: m for m in json.loads(tsuya('models', '--json'))['models']}
     report('table memory of a hair material', sum(t['bytes'] for t in models['marschner']['tables'])
@@ -251,8 +280,8 @@ def size():
 
 def main():
     random.seed(2003)
-    for part in (golden, azimuthal, longitudinal, furnace, kajiya_kay, slabs, leaves, size,
-                 static_cost):
+    for part in (golden, azimuthal, longitudinal, furnace, kajiya_kay, slabs, contents, leaves,
+                 size, static_cost):
         part()
     if FAILED:
         sys.exit('failed: ' + '; '.join(FAILED))

@@ -37,6 +37,22 @@ struct question {
     struct tsu_i_leaf_layers layers;
 };
 
+tsu_status tsu_i_leaf_find(const tsu_context *context, const struct tsu_i_leaf_question *question,
+                           void *scratch, struct tsu_i_leaf_inverse *out)
+{
+    static const char *const why[] = {"", "more than all light comes back",
+                                      "the surface alone reflects more, or T is negative",
+                                      "no two layers do that"};
+    tsu_i_leaf_invert(question, out, scratch);
+    if (out->answer == TSU_I_LEAF_REACHED)
+        return TSU_OK;
+    tsu_i_log(context, TSU_LOG_ERROR, TSU_LOG_INPUT,
+              "R_top = %g, R_bottom = %g, T = %g: %s; the nearest possible are %g, %g, %g",
+              question->faces.R_top, question->faces.R_bottom, question->faces.T, why[out->answer],
+              out->faces.R_top, out->faces.R_bottom, out->faces.T);
+    return TSU_E_PARAMETER;
+}
+
 static tsu_status ask(const tsu_context *context, const double *in, void *scratch,
                       struct question *out)
 {
@@ -51,17 +67,9 @@ static tsu_status ask(const tsu_context *context, const double *in, void *scratc
         question.faces.T = preset->T[channel];
     }
     struct tsu_i_leaf_inverse answer;
-    tsu_i_leaf_invert(&question, &answer, scratch);
-    if (answer.answer != TSU_I_LEAF_REACHED) {
-        static const char *const why[] = {"", "more than all light comes back",
-                                          "the surface alone reflects more, or T is negative",
-                                          "no two layers do that"};
-        tsu_i_log(context, TSU_LOG_ERROR, TSU_LOG_INPUT,
-                  "R_top = %g, R_bottom = %g, T = %g: %s; the nearest possible are %g, %g, %g",
-                  question.faces.R_top, question.faces.R_bottom, question.faces.T,
-                  why[answer.answer], answer.faces.R_top, answer.faces.R_bottom, answer.faces.T);
-        return TSU_E_PARAMETER;
-    }
+    const tsu_status status = tsu_i_leaf_find(context, &question, scratch, &answer);
+    if (status != TSU_OK)
+        return status;
     *out = (struct question){question.n, answer.layers};
     return TSU_OK;
 }
@@ -339,4 +347,5 @@ const struct tsu_i_function tsu_i_leaf_functions[LEAF_FUNCTIONS] = {
      .material = tsu_i_leaf_material,
      .answer = ambient_answer,
      .sampled = ambient_sampled},
-    LEAF_PROSPECT};
+    LEAF_PROSPECT,
+    LEAF_LAYERS};

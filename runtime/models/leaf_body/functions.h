@@ -3,11 +3,15 @@
 #define TSU_MODELS_LEAF_BODY_FUNCTIONS_H
 
 #include "models/leaf_body/state.h"
+#include "optics/leaf_inverse.h"
 
 // Enough for the inversion and for one slab in ten directions; the tests hold it against both.
 enum { LEAF_ANSWER_BYTES = 2 << 20 };
 size_t tsu_i_leaf_answer_bytes(void);
 
+// Layers of faces; logs what is wrong, with the nearest that is possible.
+tsu_status tsu_i_leaf_find(const tsu_context *context, const struct tsu_i_leaf_question *question,
+                           void *scratch, struct tsu_i_leaf_inverse *out);
 // The material of a row, over parameters that begin as tsu_leaf_body_params.
 tsu_status tsu_i_leaf_material(const tsu_context *context, const double *in, void *scratch,
                                void *params);
