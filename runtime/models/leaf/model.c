@@ -20,7 +20,7 @@ static const tsu_parameter_info parameters[] = {
                     "width alpha of the GGX facets of the cuticle"),
 };
 
-static const tsu_input_info inputs[] = {LEAF_INPUTS};
+static const tsu_input_info inputs[] = {LEAF_INPUTS, LEAF_FACE_INPUT};
 
 static const tsu_variant_info variants[] = {{.struct_size = sizeof(tsu_variant_info),
                                              .name = "bent",

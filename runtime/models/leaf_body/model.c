@@ -13,7 +13,7 @@ static const params defaults = {.struct_size = sizeof(params), LEAF_DEFAULTS};
 
 static const tsu_parameter_info parameters[] = {LEAF_PARAMETERS(params)};
 
-static const tsu_input_info inputs[] = {LEAF_INPUTS};
+static const tsu_input_info inputs[] = {LEAF_INPUTS, LEAF_FACE_INPUT};
 
 static const tsu_variant_info variants[] = {{.struct_size = sizeof(tsu_variant_info),
                                              .name = "bent",

@@ -27,8 +27,11 @@
         TSU_I_INPUT("l", "vec3", 0, "unit vector to the light"),                                   \
         TSU_I_INPUT("v", "vec3", 0, "unit vector to the viewer"),                                  \
         TSU_I_INPUT("pigment", "float", TSU_INPUT_EXTRA, "factor on absorption, [0, 2]"),          \
-        TSU_I_INPUT("thickness", "float", TSU_INPUT_EXTRA, "factor on all depths, [0.5, 2]"),      \
-        TSU_I_INPUT("face", "vec3", TSU_INPUT_EXTRA | TSU_INPUT_VARIANT,                           \
-                    "geometric normal of the leaf's top")
+        TSU_I_INPUT("thickness", "float", TSU_INPUT_EXTRA, "factor on all depths, [0.5, 2]")
+
+// Of models with the variant that takes it.
+#define LEAF_FACE_INPUT                                                                            \
+    TSU_I_INPUT("face", "vec3", TSU_INPUT_EXTRA | TSU_INPUT_VARIANT,                               \
+                "geometric normal of the leaf's top")
 
 #endif
