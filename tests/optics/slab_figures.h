@@ -108,9 +108,9 @@ static const struct {
 // DISORT's test problems: the published geometry, converged values of the same independent solver
 // (DISORT's own answers are those of 8 to 48 streams), but for the radiance below slabs of optical
 // thickness 32, where that solver's thin start shows (4e-5): those are DISORT's. Layers from the
-// top. Lit by a beam of irradiance `beam` across itself at mu0, or by a sky of radiance `sky`. mu 0:
-// irradiance that leaves; else radiance towards mu, upwards on top when positive, downwards at the
-// bottom when negative, at phi.
+// top. Lit by a beam of irradiance `beam` across itself at mu0, or by a sky of radiance `sky`.
+// mu 0: irradiance that leaves; else radiance towards mu, upwards on top when positive, downwards
+// at the bottom when negative, at phi.
 enum slab_phase { SLAB_ISOTROPIC, SLAB_RAYLEIGH, SLAB_HG };
 static const struct {
     enum slab_phase phase;

@@ -111,7 +111,7 @@ typedef struct tsu_function_info {
     const char *help;
     uint32_t input_count, output_count; // at most TSU_FUNCTION_INPUTS and TSU_FUNCTION_OUTPUTS
 } tsu_function_info;
-enum { TSU_FUNCTION_INPUTS = 16, TSU_FUNCTION_OUTPUTS = 8 };
+enum { TSU_FUNCTION_INPUTS = 48, TSU_FUNCTION_OUTPUTS = 8 };
 enum {
     TSU_FUNCTION_REFERENCE_ONLY = 1,
     TSU_FUNCTION_FINE = 2 // its probe is assembled with TSU_SHADER_FINE

@@ -4,6 +4,7 @@
 
 #include "base/host.h"
 #include "models/leaf_body/functions_prospect.h"
+#include "models/leaf_body/functions_slab.h"
 #include "models/leaf_body/state.h"
 #include "models/values.h"
 #include "optics/angle.h"
@@ -348,4 +349,5 @@ const struct tsu_i_function tsu_i_leaf_functions[LEAF_FUNCTIONS] = {
      .answer = ambient_answer,
      .sampled = ambient_sampled},
     LEAF_PROSPECT,
-    LEAF_LAYERS};
+    LEAF_LAYERS,
+    SLAB_FUNCTIONS};

@@ -138,7 +138,7 @@ void tsu_i_leaf_body_record(const void *state, const struct tsu_i_place *places,
 extern const struct tsu_i_table tsu_i_leaf_tables[1];
 
 // functions.c
-enum { LEAF_FUNCTIONS = 4 };
+enum { LEAF_FUNCTIONS = 7 };
 extern const struct tsu_i_function tsu_i_leaf_functions[LEAF_FUNCTIONS];
 
 #endif
