@@ -40,7 +40,7 @@ struct LeafParams {
     double twist = 0.1; // about the midrib, radians, [-2, 2]
     double wave = 0.06; // of the margin, of half the width, [0, 0.5]
 
-    double blotches = 0.25; // deviation of the pigment in clouds, [0, 1]
+    double blotches = 0.16; // deviation of the pigment in clouds, [0, 1]
     double edge = 0.15;     // more pigment at the margin, [-0.6, 1]
     double halo = 0.2;      // less pigment beside the large veins, [0, 0.9]
     double relief = 1.0;    // height of veins and of the blade between them, [0, 3]

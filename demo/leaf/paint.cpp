@@ -18,9 +18,9 @@ struct Paint {
 };
 
 const Paint paints[] = {
-    {0.66, 1.1, 0.55, 2.2}, // midrib
-    {0.56, 0.5, 0.75, 2.8}, // secondary
-    {0.34, 0.12, 0.7, 2.6}, // tertiary
+    {0.7, 0.95, 0.55, 2.2}, // midrib
+    {0.68, 0.22, 0.75, 2.8}, // secondary
+    {0.5, 0.06, 0.7, 2.6}, // tertiary
 };
 
 double bump(double t)
@@ -55,8 +55,8 @@ class Painter
             strokes(vein);
         }
         far_from_veins(all);
-        areoles(0.03 * params_.length, 5, 0.2, 0.05, 0.0006 * params_.length);
-        areoles(0.0125 * params_.length, 6, 0.15, 0.03, 0.00045 * params_.length);
+        areoles(0.03 * params_.length, 5, 0.34, 0.03, 0.00065 * params_.length);
+        areoles(0.0125 * params_.length, 6, 0.26, 0.02, 0.0005 * params_.length);
         combine();
     }
 

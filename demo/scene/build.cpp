@@ -187,8 +187,10 @@ Expected<Material> material(const Scene &scene)
             eta = given != scene.parameters.end() ? given->second.x : p.default_value;
         }
     }
-    tsu_status status = color(scene, library.context, eta, result, &result.sigma_a.x);
-    if (status == TSU_OK) {
+    const bool hair = !(info.flags & TSU_MODEL_SURFACE);
+    tsu_status status =
+        hair ? color(scene, library.context, eta, result, &result.sigma_a.x) : TSU_OK;
+    if (hair && status == TSU_OK) {
         status = tsu_hair_albedo(library.context, eta, &result.sigma_a.x, &result.albedo.x);
     }
     for (uint32_t i = 0; i < info.parameter_count && status == TSU_OK; i++) {

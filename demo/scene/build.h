@@ -60,7 +60,7 @@ draw::Frame frame(const Scene &scene, const Hair &hair, const Material &material
                   double turn = 0.0, bool turntable = false, const Surroundings &around = {});
 
 // Camera of a frame alone, for a window that moves it.
-void aim(const Scene &scene, const Hair &hair, bool turntable, draw::Frame &frame);
+void aim(const Scene &scene, const Hair &hair, bool turntable, draw::View &frame);
 
 } // namespace tsuya::scene
 

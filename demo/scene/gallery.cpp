@@ -50,12 +50,28 @@ Expected<std::vector<Named>> gallery()
     return Expected<std::vector<Named>>(std::move(all));
 }
 
-bool is_groom(const std::string &word)
+namespace {
+
+std::string extension_of(const std::string &word)
 {
     std::string extension = fs::path(word).extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
+    return extension;
+}
+
+} // namespace
+
+bool is_groom(const std::string &word)
+{
+    const std::string extension = extension_of(word);
     return extension == ".tfx" || extension == ".hair" || extension == ".data";
+}
+
+bool is_mesh(const std::string &word)
+{
+    const std::string extension = extension_of(word);
+    return extension == ".obj" || extension == ".ply";
 }
 
 Expected<Scene> find(const std::string &word)
@@ -64,6 +80,14 @@ Expected<Scene> find(const std::string &word)
         Scene scene;
         scene.title = fs::path(word).filename().string();
         scene.groom = "file:" + word;
+        return Expected<Scene>(std::move(scene));
+    }
+    if (is_mesh(word)) {
+        Scene scene;
+        scene.title = fs::path(word).filename().string();
+        scene.kind = "leaf";
+        scene.model = "leaf";
+        scene.mesh = word;
         return Expected<Scene>(std::move(scene));
     }
     std::error_code failed;

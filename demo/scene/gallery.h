@@ -28,15 +28,16 @@ struct Named {
 // Errors: a scene file that does not parse.
 Expected<std::vector<Named>> gallery();
 
-// What a word on a command line means: the path of a groom file (.tfx, .hair, .data), the path of a
-// scene file, or the name of a scene of the gallery, in this order. For a groom the scene around it
-// is the default one without a head.
+// What a word on a command line means: the path of a groom file (.tfx, .hair, .data), of a leaf's mesh
+// (.obj, .ply), of a scene file, or the name of a scene of the gallery, in this order. For a groom
+// the scene around it is the default one without a head, for a mesh that of a leaf.
 //
 // Errors: nothing of the kind, with the names that there are; and as parse().
 Expected<Scene> find(const std::string &word);
 
-// True for the path of a groom file, by its ending.
+// True for the path of a groom file, and of a mesh, by its ending.
 bool is_groom(const std::string &word);
+bool is_mesh(const std::string &word);
 
 // Give a groom of unknown unit and density something to be seen with, and say so. Only for grooms
 // from a file; keys that the caller names in `given` are kept.

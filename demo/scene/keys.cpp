@@ -10,22 +10,7 @@ namespace {
 
 Key hair_key(const char *name, double low, double high, bool whole, const char *help)
 {
-    return {name, "hair that is grown", (whole ? "whole, " : "") + range_text(low, high), help,
-            [=](Scene &scene, const std::string &text) {
-                double value = 0.0;
-                std::string wrong = read_number(text, low, high, value);
-                if (wrong.empty() && whole && value != std::floor(value)) {
-                    wrong = "is " + number_text(value);
-                }
-                if (wrong.empty()) {
-                    scene.hair[name] = value;
-                }
-                return wrong;
-            },
-            [=](const Scene &scene) {
-                const auto found = scene.hair.find(name);
-                return found == scene.hair.end() ? "" : number_text(found->second);
-            }};
+    return map_key("hair that is grown", name, &Scene::hair, low, high, whole, help);
 }
 
 Key groom_key()
@@ -96,6 +81,7 @@ std::vector<Key> make_keys()
 {
     std::vector<Key> keys = {
         title_key(),
+        word_key("groom", "kind", &Scene::kind, {"hair", "leaf", "tree"}, "what is drawn"),
         groom_key(),
         number_key("groom", "unit_scale", &Scene::unit_scale, 1e-9, 1e9,
                    "metres of one unit of the groom file"),
@@ -110,7 +96,8 @@ std::vector<Key> make_keys()
                    "deviation of ln(sigma_a) from strand to strand"),
         word_key("groom", "head", &Scene::head, {"auto", "none"},
                  "draw the head that hair was grown on"),
-        hair_key("seed", 0, 4294967295.0, true, "another seed, another head of hair"),
+        hair_key("seed", 0, 4294967295.0, true,
+                 "another seed, another head of hair, leaf or tree"),
         hair_key("strands", 100, 100000, true, "number of strands"),
         hair_key("points", 8, 256, true, "points of a strand"),
         hair_key("length", 0.02, 1.0, false, "mean length, metres"),
@@ -121,6 +108,7 @@ std::vector<Key> make_keys()
         hair_key("frizz", 0.0, 1.0, false, "how far strands leave their lock"),
         hair_key("volume", 0.0, 0.05, false, "thickness of the hair over the scalp, metres"),
     };
+    add_leaf_keys(keys);
     add_material_keys(keys);
     const std::vector<Key> rest = {
         word_key("light", "light", &Scene::light, {"key", "front", "side", "back", "none"},

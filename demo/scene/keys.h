@@ -5,6 +5,7 @@
 #include "scene/scene.h"
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,14 @@ const std::vector<Key> &keys();
 
 // The key of this name, lightN.* included. Returns: false when there is none.
 bool find_key(const std::string &name, Key &key);
+
+// Append what leaves and trees are grown from.
+void add_leaf_keys(std::vector<Key> &keys);
+
+// A key whose value is `map`'s of the part of its name behind the last dot, when it was given.
+Key map_key(const char *group, const std::string &name,
+            std::map<std::string, double> Scene::*map, double low, double high, bool whole,
+            const std::string &help);
 
 // Append model, colour, and one key for each parameter of any model.
 void add_material_keys(std::vector<Key> &keys);

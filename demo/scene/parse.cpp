@@ -141,12 +141,17 @@ Expected<Scene> read(const std::string &path, const Scene &base)
     }
     const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     Expected<Scene> scene = parse(text, path, base);
-    if (scene && scene->groom != base.groom && scene->groom.rfind("file:", 0) == 0 &&
+    const std::size_t slash = path.rfind('/');
+    if (!scene || slash == std::string::npos) {
+        return scene;
+    }
+    const std::string folder = path.substr(0, slash + 1);
+    if (scene->groom != base.groom && scene->groom.rfind("file:", 0) == 0 &&
         scene->groom[5] != '/') {
-        const std::size_t slash = path.rfind('/');
-        if (slash != std::string::npos) {
-            scene->groom.insert(5, path.substr(0, slash + 1));
-        }
+        scene->groom.insert(5, folder);
+    }
+    if (scene->mesh != base.mesh && scene->mesh != "none" && scene->mesh[0] != '/') {
+        scene->mesh.insert(0, folder);
     }
     return scene;
 }
@@ -183,7 +188,8 @@ std::string grammar()
         all.push_back(key);
     }
     std::string text;
-    for (const char *const heading : {"groom", "hair that is grown", "material", "light", "camera",
+    for (const char *const heading : {"groom", "hair that is grown", "leaf that is grown",
+                                      "tree that is grown", "material", "light", "camera",
                                       "picture"}) {
         text += std::string("\n") + heading + ":\n";
         for (const Key &key : all) {

@@ -40,13 +40,28 @@ Expected<std::unique_ptr<Studio>> Studio::create(const draw::Folders &folders)
         return Error{renderer.error()};
     }
     self->renderer_ = std::move(*renderer);
+    self->folders_ = folders;
     return Expected<std::unique_ptr<Studio>>(std::move(self));
 }
 
 Studio::~Studio()
 {
     renderer_.reset();
+    surfaces_.reset();
     offscreen_destroy(context_);
+}
+
+Expected<draw::SurfaceRenderer *> Studio::surfaces()
+{
+    if (!surfaces_) {
+        Expected<std::unique_ptr<draw::SurfaceRenderer>> made =
+            draw::SurfaceRenderer::create(offscreen_proc, context_, folders_);
+        if (!made) {
+            return Error{made.error()};
+        }
+        surfaces_ = std::move(*made);
+    }
+    return surfaces_.get();
 }
 
 std::string Studio::description() const
@@ -82,7 +97,7 @@ Expected<bool> save(const std::string &path, const Scene &scene, draw::Screen &s
     if (ends(path, ".exr")) {
         draw::Picture picture = screen.picture();
         const image::Image image = {picture.width, picture.height, 4, std::move(picture.pixels),
-                                    {"R", "G", "B", "hair"}};
+                                    {"R", "G", "B", scene.kind == "hair" ? "hair" : "leaf"}};
         return image::write_exr(path, image, error) ? Expected<bool>(true) : Error{error};
     }
     if (!ends(path, ".png")) {

@@ -3,6 +3,7 @@
 #define TSUYA_SCENE_PICTURE_H
 
 #include "draw/renderer.h"
+#include "draw/surface.h"
 #include "scene/build.h"
 
 #include <memory>
@@ -15,8 +16,8 @@ namespace tsuya::scene {
 // Rec. 709 luminance of a linear picture.
 struct Numbers {
     double mean = 0.0;     // over all pixels
-    double hair = 0.0;     // over pixels, each weighed by the share that hair covers
-    double coverage = 0.0; // mean share that hair covers
+    double hair = 0.0;     // over pixels, each weighed by the share that hair or leaves cover
+    double coverage = 0.0; // mean of that share
 };
 Numbers numbers(const draw::Picture &picture);
 
@@ -33,6 +34,9 @@ class Studio
     {
         return *renderer_;
     }
+    // The renderer of leaves and trees, made at the first call.
+    // Errors: a shader that does not compile.
+    Expected<draw::SurfaceRenderer *> surfaces();
     // Back-end, vendor, renderer and version.
     std::string description() const;
 
@@ -44,11 +48,13 @@ class Studio
     Studio() = default;
 
     offscreen *context_ = nullptr;
+    draw::Folders folders_;
     std::unique_ptr<draw::Renderer> renderer_;
+    std::unique_ptr<draw::SurfaceRenderer> surfaces_;
 };
 
-// Write what was drawn last. .exr: linear R, G, B and the channel `hair`, the share of the
-// pixel that hair covers, 32 bits. .png: exposure, tone and the sRGB curve.
+// Write what was drawn last. .exr: linear R, G, B and the channel `hair` or, for leaves and trees,
+// `leaf`: the share of the pixel that is covered, 32 bits. .png: exposure, tone and the sRGB curve.
 // Errors: another ending; what the image writer says.
 Expected<bool> save(const std::string &path, const Scene &scene, draw::Screen &screen);
 

@@ -5,13 +5,43 @@
 #include "scene/gallery.h"
 #include "scene/keys.h"
 #include "scene/picture.h"
+#include "scene/render.h"
 
-#include <chrono>
 #include <cstdio>
 #include <string>
 #include <unistd.h>
 #include <utility>
 #include <vector>
+
+namespace tsuya::scene {
+
+int render_complaint(const std::string &text, bool bad_input)
+{
+    render_progress("");
+    const bool dot = !text.empty() && (text.back() == '.' || text.back() == '\n');
+    return command::complain("render", text + (dot ? "" : "."),
+                             bad_input ? command::exit_bad_input : command::exit_failure);
+}
+
+void render_progress(const std::string &text)
+{
+    if (isatty(STDERR_FILENO)) {
+        std::fprintf(stderr, "\r\033[K%s", text.c_str());
+        std::fflush(stderr);
+    }
+}
+
+std::string render_path(const std::string &path, int number, int frames)
+{
+    if (frames == 1) {
+        return path;
+    }
+    char digits[16];
+    std::snprintf(digits, sizeof digits, "_%04d", number);
+    return path.substr(0, path.size() - 4) + digits + path.substr(path.size() - 4);
+}
+
+} // namespace tsuya::scene
 
 namespace {
 
@@ -23,53 +53,27 @@ const command::Manual &manual()
         "render",
         "SCENE|FILE [key=value ...] -o FILE.png|.exr",
         "Draw a scene of the gallery (tsuya scenes), a scene file, or a groom (.tfx, .hair,\n"
-        ".data) in a default scene with a fitted camera. key=value words change the scene;\n"
-        "tsuya scenes --help lists the keys. PNG holds what a screen shows, EXR linear light\n"
-        "and a channel `hair`, the share of each pixel that hair covers.\n\n"
+        ".data) or a leaf's mesh (.obj, .ply) in a default scene with a fitted camera.\n"
+        "key=value words change the scene; tsuya scenes --help lists the keys. PNG holds what a\n"
+        "screen shows, EXR linear light and a channel `hair` or `leaf`, the share of each pixel\n"
+        "that is covered.\n\n"
         "Printed: strands, points, strands that reached the picture (touch a pixel and are not\n"
-        "behind the head), Rec. 709 luminance of the linear picture, times.",
+        "behind the head), or triangles and leaves; Rec. 709 luminance of the linear picture,\n"
+        "times.",
         {{"-o", "FILE", "picture to write: .png or .exr"},
          {"--size", "WxH", "short for size=WxH"},
          {"--frames", "N", "a turntable of N pictures, numbered before the ending, [1, 9999]"}},
         "  tsuya render straight-brown -o brown.png\n"
         "  tsuya render curly-black model=kajiya_kay --size 1024x1024 -o black.exr\n"
-        "  tsuya render mohawk.tfx color=red supersample=4 -o mohawk.png\n"};
+        "  tsuya render mohawk.tfx color=red supersample=4 -o mohawk.png\n"
+        "  tsuya render tree-backlit seed=2 leaves=5000 -o tree.png\n"};
     return text;
 }
 
 int complain(const std::string &text, int code = command::exit_bad_input)
 {
-    const bool dot = !text.empty() && (text.back() == '.' || text.back() == '\n');
-    return command::complain("render", text + (dot ? "" : "."), code);
+    return scene::render_complaint(text, code == command::exit_bad_input);
 }
-
-// A line that overwrites itself on a terminal; nothing elsewhere.
-void progress(const std::string &text)
-{
-    if (isatty(STDERR_FILENO)) {
-        std::fprintf(stderr, "\r\033[K%s", text.c_str());
-        std::fflush(stderr);
-    }
-}
-
-std::string numbered(const std::string &path, int number)
-{
-    char digits[16];
-    std::snprintf(digits, sizeof digits, "_%04d", number);
-    return path.substr(0, path.size() - 4) + digits + path.substr(path.size() - 4);
-}
-
-class Clock
-{
-  public:
-    double seconds() const
-    {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    }
-
-  private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 groom::Expected<scene::Scene> asked(const command::Arguments &arguments, std::string &said)
 {
@@ -110,7 +114,7 @@ std::string report(const scene::Hair &hair, std::size_t reached, const scene::Nu
 
 int render(const scene::Scene &scene, const std::string &path, int frames, std::string said)
 {
-    const Clock total;
+    const scene::Clock total;
     const groom::Expected<scene::Material> material = scene::material(scene);
     if (!material) {
         return complain(material.error());
@@ -119,22 +123,19 @@ int render(const scene::Scene &scene, const std::string &path, int frames, std::
     if (!around) {
         return complain(around.error());
     }
-    progress("reading or growing hair");
+    scene::render_progress("reading or growing hair");
     const groom::Expected<scene::Hair> hair = scene::hair(scene);
     if (!hair) {
-        progress("");
         return complain(hair.error());
     }
     const double hair_time = total.seconds();
     groom::Expected<std::unique_ptr<scene::Studio>> studio = scene::Studio::create();
     if (!studio) {
-        progress("");
         return complain(studio.error(), command::exit_failure);
     }
     draw::Renderer &renderer = (*studio)->renderer();
     const groom::Expected<bool> taken = (*studio)->take(*hair, *material);
     if (!taken) {
-        progress("");
         return complain(taken.error());
     }
 
@@ -142,13 +143,12 @@ int render(const scene::Scene &scene, const std::string &path, int frames, std::
     scene::Numbers numbers;
     double draw_time = 0.0;
     for (int i = 0; i < frames; i++) {
-        progress("drawing " + std::to_string(i + 1) + " of " + std::to_string(frames));
+        scene::render_progress("drawing " + std::to_string(i + 1) + " of " + std::to_string(frames));
         const double turn = 360.0 * double(i) / double(frames);
         const draw::Frame frame = scene::frame(scene, *hair, *material, turn, frames > 1, *around);
-        const Clock one;
+        const scene::Clock one;
         const groom::Expected<bool> drawn = renderer.draw(frame);
         if (!drawn) {
-            progress("");
             return complain(drawn.error());
         }
         const draw::Picture picture = renderer.picture();
@@ -160,16 +160,15 @@ int render(const scene::Scene &scene, const std::string &path, int frames, std::
             numbers = scene::numbers(picture);
         }
         const groom::Expected<bool> saved =
-            scene::save(frames > 1 ? numbered(path, i + 1) : path, scene, renderer.screen());
+            scene::save(scene::render_path(path, i + 1, frames), scene, renderer.screen());
         if (!saved) {
-            progress("");
             return complain(saved.error(), command::exit_failure);
         }
         if (i == 0) {
             reached = renderer.reached(frame);
         }
     }
-    progress("");
+    scene::render_progress("");
     if (!renderer.maps().plans().empty()) {
         const tsu_hair_shadow_plan &plan = renderer.maps().plans()[0];
         char text[160];
@@ -220,5 +219,9 @@ int command_render(int argc, char **argv)
     }
     std::string said;
     const groom::Expected<scene::Scene> scene = asked(arguments, said);
-    return scene ? render(*scene, path, int(frames), said) : complain(scene.error());
+    if (!scene) {
+        return complain(scene.error());
+    }
+    return scene->kind == "hair" ? render(*scene, path, int(frames), said)
+                                 : scene::render_surface(*scene, path, int(frames));
 }

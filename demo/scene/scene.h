@@ -45,6 +45,7 @@ enum class ColorBy { preset, sigma_a, melanin, albedo, head_albedo };
 // A scene as its keys say it; each field is the key of its name (camera_fov: camera.fov_deg).
 struct Scene {
     std::string title;
+    std::string kind = "hair"; // leaf, tree
     std::string groom = "straight"; // straight, wavy, curly or file:PATH
     std::map<std::string, double> hair; // keys of grown hair that were given: strands, length, ...
     double unit_scale = 1.0;
@@ -54,6 +55,13 @@ struct Scene {
     double taper = 0.1;
     double variation = 0.1;
     std::string head = "auto";
+
+    std::string mesh = "none"; // or the path of an .obj or .ply file, for a leaf
+    std::string shape = "beech";
+    std::map<std::string, double> leaf; // keys of a grown leaf that were given; angles in degrees
+    std::map<std::string, double> tree; // keys of a grown tree that were given
+    double roundness = 0.0;
+    std::string ground = "auto";
 
     std::string model = "marschner";
     std::string variant = "auto"; // of the model's entry point
@@ -109,7 +117,7 @@ Expected<Scene> parse(const std::string &text, const std::string &name, const Sc
 // whatever gave the colour before. Errors: as parse(), with "argument N" for the line.
 Expected<Scene> override(const Scene &base, const std::vector<std::string> &words);
 
-// Read the file `path`. A relative file: in it is taken from the file's folder.
+// Read the file `path`. A relative file: or mesh in it is taken from the file's folder.
 // Errors: it cannot be read; and as parse().
 Expected<Scene> read(const std::string &path, const Scene &base = {});
 

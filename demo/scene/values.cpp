@@ -99,6 +99,29 @@ Key integer_key(const char *group, const char *name, int Scene::*member, int low
             [=](const Scene &scene) { return number_text(scene.*member); }};
 }
 
+Key map_key(const char *group, const std::string &name,
+            std::map<std::string, double> Scene::*map, double low, double high, bool whole,
+            const std::string &help)
+{
+    const std::string field = name.substr(name.rfind('.') + 1);
+    return {name, group, (whole ? "whole, " : "") + range_text(low, high), help,
+            [=](Scene &scene, const std::string &text) {
+                double value = 0.0;
+                std::string wrong = read_number(text, low, high, value);
+                if (wrong.empty() && whole && value != std::floor(value)) {
+                    wrong = "is " + number_text(value);
+                }
+                if (wrong.empty()) {
+                    (scene.*map)[field] = value;
+                }
+                return wrong;
+            },
+            [=](const Scene &scene) {
+                const auto found = (scene.*map).find(field);
+                return found == (scene.*map).end() ? "" : number_text(found->second);
+            }};
+}
+
 Key triple_key(const char *group, const char *name, glm::dvec3 Scene::*member, double low,
                double high, const char *help)
 {

@@ -1,0 +1,5 @@
+// A surface in a shadow map: depth alone.
+
+void main()
+{
+}
