@@ -155,6 +155,9 @@ std::string report(const Task &task, std::size_t strands, const reference::Summa
 int run(const Task &task)
 {
     const auto begin = std::chrono::steady_clock::now();
+    if (task.scene.kind != "hair") {
+        return complain("the path tracer knows hair alone; this scene is a " + task.scene.kind);
+    }
     const Expected<scene::Material> material = scene::material(task.scene);
     if (!material) {
         return complain(material.error());

@@ -59,8 +59,8 @@ bool DepthMaps::draw(const Program &depth, const Program &second, const Plant &p
     const std::size_t count = std::min(view.lights.size(), std::size_t(depth_maps_most));
     for (std::size_t i = 0; i < count; i++) {
         const glm::vec3 l = view.lights[i].direction;
-        const glm::vec3 up = std::abs(l.y) < 0.9f ? glm::vec3(0.0f, 1.0f, 0.0f)
-                                                  : glm::vec3(1.0f, 0.0f, 0.0f);
+        const glm::vec3 up =
+            std::abs(l.y) < 0.9f ? glm::vec3(0.0f, 1.0f, 0.0f) : glm::vec3(1.0f, 0.0f, 0.0f);
         const glm::mat4 look = glm::lookAt(centre + 2.0f * radius * l, centre, up);
         const glm::mat4 box = glm::ortho(-radius, radius, -radius, radius, radius, 3.0f * radius);
         cameras_.push_back(box * look);

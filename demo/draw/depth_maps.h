@@ -1,5 +1,5 @@
-// Shadow maps of surfaces: depths from the first lights, as tiles of two textures: what is met first,
-// and second. Wood that is met first is met second, too: behind one leaf there is light.
+// Shadow maps of surfaces: depths from the first lights, as tiles of two textures: what is met
+// first, and second. Wood that is met first is met second, too: behind one leaf there is light.
 #ifndef TSUYA_DRAW_DEPTH_MAPS_H
 #define TSUYA_DRAW_DEPTH_MAPS_H
 
@@ -28,8 +28,8 @@ class DepthMaps
     //
     //   size  texels along a map's side; 0: no maps
     // Returns: false when the context cannot draw them.
-    bool draw(const Program &depth, const Program &second, const Plant &plant, const View &view, const glm::vec3 &centre,
-              float radius, int size);
+    bool draw(const Program &depth, const Program &second, const Plant &plant, const View &view,
+              const glm::vec3 &centre, float radius, int size);
 
     // Textures to `unit` and the next, and the uniforms of surface_light.glsl.
     void bind(const Program &program, int unit) const;

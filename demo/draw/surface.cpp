@@ -126,9 +126,9 @@ Expected<bool> SurfaceRenderer::build(const tsu_model *model, Program &leaf, Pro
     if (!first) {
         return Error{first.error()};
     }
-    Expected<Program> second = link(gl_, {text("screen.vert.glsl")},
-                                    {*library, *macros, text("surface_shade.glsl"),
-                                     text("passes.frag.glsl")});
+    Expected<Program> second =
+        link(gl_, {text("screen.vert.glsl")},
+             {*library, *macros, text("surface_shade.glsl"), text("passes.frag.glsl")});
     if (!second) {
         return Error{second.error()};
     }
@@ -268,7 +268,8 @@ Expected<bool> SurfaceRenderer::draw(const SurfaceFrame &frame)
     }
     const float scale = glm::length(glm::vec3(frame.model[0]));
     const glm::vec3 middle = glm::vec3(frame.model * glm::vec4(middle_, 1.0f));
-    if (!depths_->draw(depth_, second_, *plant_, frame, middle, scale * radius_, frame.shadow_size)) {
+    if (!depths_->draw(depth_, second_, *plant_, frame, middle, scale * radius_,
+                       frame.shadow_size)) {
         return Error{"this context cannot draw shadow maps of " +
                      std::to_string(frame.shadow_size) + " texels"};
     }

@@ -1,7 +1,8 @@
 // Draws a plant: a leaf or a tree, the one path that `tsuya render` has for surfaces.
 //
-// Order of a frame: depths from the first four lights, then leaves (both sides), wood and ground with
-// a depth test into `supersample` times the picture's size, then the mean over each pixel's samples.
+// Order of a frame: depths from the first four lights, then leaves (both sides), wood and ground
+// with a depth test into `supersample` times the picture's size, then the mean over each pixel's
+// samples.
 //
 // What is simple: light that passes a leaf goes straight on, dimmed by the transmittance of a leaf
 // that it meets at 45 degrees, and ends at a second leaf; light that leaves reflect onto others is

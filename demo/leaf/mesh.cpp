@@ -138,10 +138,10 @@ std::string text(const Report &r)
             r.tangled_edges);
     }
     if (r.computed_normals) {
-        add("normals          from the triangles: the file has none that can be used\n");
+        out += "normals          from the triangles: the file has none that can be used\n";
     }
     if (r.planar_uv) {
-        add("uv               projected along the thinnest side: the file has none\n");
+        out += "uv               projected along the thinnest side: the file has none\n";
     }
     return out;
 }

@@ -190,6 +190,7 @@ Expected<TreeParams> tree_preset(const std::string &shape)
     params.leaf.columns = 3;
     params.leaf.teeth = 0;
     params.leaf.texels = 512;
+    params.leaf.relief *= 0.6;
     return params;
 }
 

@@ -24,7 +24,7 @@ struct TreeParams {
     LeafParams leaf;             // rows, columns and texels are those of every leaf
 };
 
-// A tree with its leaf of `shape`: coarse blades, maps of 512 texels.
+// A tree with its leaf of `shape`: coarse blades, less relief, maps of 512 texels.
 Expected<TreeParams> tree_preset(const std::string &shape);
 
 // One leaf: a blade and stalk of `kind`, placed.

@@ -202,6 +202,9 @@ int run(int argc, char **argv)
         return complain(scene.error());
     }
 
+    if (scene->kind != "hair") {
+        return complain("the window shows hair alone; tsuya render draws a " + scene->kind);
+    }
     groom::Expected<std::unique_ptr<viewer::Window>> window =
         viewer::Window::create(std::max(scene->width, 960), std::max(scene->height, 720));
     if (!window) {

@@ -19,6 +19,7 @@ import tempfile
 import command_leaf  # noqa: F401, registers its cases
 import command_numbers  # noqa: F401, registers its cases
 import command_slab  # noqa: F401
+import command_surface  # noqa: F401, registers its cases
 from command_support import AZIMUTHAL, CASES, Wrong, case, expect, models, output, refused, run
 from command_support import table, use
 

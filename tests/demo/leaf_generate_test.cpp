@@ -44,8 +44,8 @@ LeafParams flat(LeafParams p)
 void same_seed_same_bytes(void **)
 {
     // Made once with GCC and Clang, with and without fused multiply-add.
-    const std::uint64_t known[] = {0x4e4a2512f943cafcu, 0x61e391183d3197b9u, 0xad9454e0784eb18bu,
-                                   0x51ddf4f8da617358u, 0xf2e7d8ee37eccd7cu};
+    const std::uint64_t known[] = {0x0463643e36515597u, 0x7e77528160d76a98u, 0xb44c7207a10a9a60u,
+                                   0xe0fec41f8df22591u, 0x5c403f11a41a080au};
     std::size_t at = 0;
     for (const std::string &name : shapes()) {
         const Leaf a = grown(shape(name)), b = grown(shape(name)), c = grown(shape(name, 2));
