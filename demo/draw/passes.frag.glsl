@@ -4,8 +4,8 @@ out vec4 o_color;
 
 void main()
 {
-    // Reciprocal: what comes through towards 45 degrees of even light is what light from there sends
-    // to all sides.
+    // Reciprocal: what comes through towards 45 degrees of even light is what light from there
+    // sends to all sides.
     o_color = vec4(leaf_passes(vec3(0.0, 0.0, 1.0), vec3(0.0, 0.70710678, -0.70710678), 1.0, 1.0),
                    1.0);
 }

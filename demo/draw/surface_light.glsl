@@ -69,7 +69,7 @@ vec3 light_share(int i, vec3 position, vec3 ng, vec3 l)
     if (i >= u_depth_maps) {
         return vec3(1.0);
     }
-    // Off the surface towards the light, further at grazing light, so that it does not shade itself.
+    // Off the surface towards the light, further at grazing light, or it would shade itself.
     float c = dot(ng, l);
     vec3 side = c < 0.0 ? -ng : ng;
     vec3 from = position + u_depth_texel * (side * (0.6 + 2.2 * sqrt(max(1.0 - c * c, 0.0))) + l);
@@ -112,8 +112,8 @@ vec3 sky_mean(vec3 position, vec3 d)
     float z = clamp(place.z * u_leaf_sky_slab, 0.5, u_leaf_sky_slab - 0.5);
     vec3 mean;
     for (int c = 0; c < 3; c++) {
-        vec4 t = texture(u_leaf_sky,
-                         vec3(place.xy, (z + float(c) * u_leaf_sky_slab) / (3.0 * u_leaf_sky_slab)));
+        float slab = (z + float(c) * u_leaf_sky_slab) / (3.0 * u_leaf_sky_slab);
+        vec4 t = texture(u_leaf_sky, vec3(place.xy, slab));
         mean[c] = t.x + 2.0 / 3.0 * dot(t.yzw, d);
     }
     // Beside the crown the open sky comes back.

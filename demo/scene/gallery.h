@@ -28,9 +28,9 @@ struct Named {
 // Errors: a scene file that does not parse.
 Expected<std::vector<Named>> gallery();
 
-// What a word on a command line means: the path of a groom file (.tfx, .hair, .data), of a leaf's mesh
-// (.obj, .ply), of a scene file, or the name of a scene of the gallery, in this order. For a groom
-// the scene around it is the default one without a head, for a mesh that of a leaf.
+// What a word on a command line means: the path of a groom file (.tfx, .hair, .data), of a leaf's
+// mesh (.obj, .ply), of a scene file, or the name of a scene of the gallery, in this order. For a
+// groom the scene around it is the default one without a head, for a mesh that of a leaf.
 //
 // Errors: nothing of the kind, with the names that there are; and as parse().
 Expected<Scene> find(const std::string &word);

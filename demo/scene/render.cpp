@@ -143,7 +143,8 @@ int render(const scene::Scene &scene, const std::string &path, int frames, std::
     scene::Numbers numbers;
     double draw_time = 0.0;
     for (int i = 0; i < frames; i++) {
-        scene::render_progress("drawing " + std::to_string(i + 1) + " of " + std::to_string(frames));
+        scene::render_progress("drawing " + std::to_string(i + 1) + " of " +
+                               std::to_string(frames));
         const double turn = 360.0 * double(i) / double(frames);
         const draw::Frame frame = scene::frame(scene, *hair, *material, turn, frames > 1, *around);
         const scene::Clock one;

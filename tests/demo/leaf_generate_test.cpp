@@ -261,7 +261,7 @@ void veins_are_thick_pale_furrows(void **)
     for (int y = 1; y + 1 < maps.height; y++) {
         const auto at = [&](int row) { return std::size_t(row * maps.width + column); };
         const bool inside = maps.inside[at(y - 1)] && maps.inside[at(y)];
-        furrows += inside && maps.thickness[at(y)] > 1.25f && maps.thickness[at(y - 1)] <= 1.25f;
+        furrows += inside && maps.thickness[at(y)] > 1.1f && maps.thickness[at(y - 1)] <= 1.1f;
         height += double(slope[2 * at(y) + 1]) * maps.metres;
     }
     assert_in_range(furrows, 7, 10);
