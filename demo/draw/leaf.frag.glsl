@@ -38,8 +38,8 @@ void main()
     // A normal that is bent past the horizon of the view would show the other side.
     float past = dot(side, v);
     vec3 seen = past < 0.05 ? normalize(side + v * (0.05 - past)) : side;
-    vec3 sum = leaf_sky_light(above ? seen : -seen, v, pigment, thickness,
-                              sky_mean(v_position, side), sky_mean(v_position, -side));
+    vec3 sum = leaf_sky_light(seen, above, v, pigment, thickness, sky_mean(v_position, side),
+                              sky_mean(v_position, -side));
     for (int i = 0; i < u_lights; i++) {
         vec3 share = light_share(i, v_position, face, u_light_direction[i]);
         if (max(share.r, max(share.g, share.b)) <= 0.0) {

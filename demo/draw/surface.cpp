@@ -84,51 +84,55 @@ void SurfaceRenderer::load(const leaf::Plant &plant)
 
 namespace {
 
-// Macros between the library's text and surface_shade.glsl.
-Expected<std::string> glue(const tsu_model *model)
+// Macros between the library's text and surface_shade.glsl: what the model has besides eval and
+// sum.
+std::string glue(const std::string &name, const std::string &library)
 {
-    tsu_model_info info;
-    tsu_model_info_init(&info);
-    tsu_model_describe(model, &info);
-    const std::string name = std::string("tsu_") + info.name;
-    bool bent = false;
-    for (uint32_t i = 0; i < info.variant_count; i++) {
-        tsu_variant_info variant;
-        tsu_variant_info_init(&variant);
-        tsu_model_variant(model, i, &variant);
-        bent = bent || std::string(variant.name) == "bent";
+    const auto has = [&](const std::string &what) {
+        return library.find(what) != std::string::npos;
+    };
+    std::string text = "\n#define LEAF_SUM " + name + "_sum\n";
+    if (has(name + "_bent_eval(")) {
+        text += "#define BENT 1\n#define LEAF_EVAL " + name + "_bent_eval\n";
+    } else {
+        text += "#define LEAF_EVAL " + name + "_eval\n";
     }
-    if (!(info.flags & TSU_MODEL_SURFACE) || !bent) {
-        return Error{std::string("model ") + info.name +
-                     " shades no leaves; leaf and leaf_body do"};
+    if (has(name + "_ambient(")) {
+        text += "#define EVEN 1\n#define LEAF_AMBIENCE " + name + "_ambience\n" +
+                "#define LEAF_AMBIENT " + name + "_ambient\n";
+        const std::size_t begin = library.find("struct " + name + "_ambience {");
+        const std::size_t end = library.find('}', begin);
+        const bool gloss = library.substr(begin, end - begin).find("specular") != std::string::npos;
+        text += gloss ? "#define GLOSS 1\n" : "";
     }
-    return "\n#define LEAF_EVAL " + name + "_bent_eval\n#define LEAF_SUM " + name +
-           "_sum\n#define LEAF_AMBIENCE " + name + "_ambience\n#define LEAF_AMBIENT " + name +
-           "_ambient\n" + (name == "tsu_leaf" ? "#define GLOSS 1\n" : "");
+    return text;
 }
 
 } // namespace
 
 Expected<bool> SurfaceRenderer::build(const tsu_model *model, Program &leaf, Program &passes)
 {
-    const Expected<std::string> macros = glue(model);
-    if (!macros) {
-        return Error{macros.error()};
+    tsu_model_info info;
+    tsu_model_info_init(&info);
+    tsu_model_describe(model, &info);
+    if (!(info.flags & TSU_MODEL_SURFACE)) {
+        return Error{std::string("model ") + info.name + " shades no leaves; model=leaf does"};
     }
     const Expected<std::string> library = guest_->text({model}, 0);
     if (!library) {
         return Error{library.error()};
     }
+    const std::string macros = glue(std::string("tsu_") + info.name, *library);
     const auto text = [&](const char *name) { return source(guest_->folders().demo, name); };
     Expected<Program> first = link(gl_, {text("surface.vert.glsl")},
-                                   {*library, *macros, text("surface_shade.glsl"),
+                                   {*library, macros, text("surface_shade.glsl"),
                                     text("surface_light.glsl"), text("leaf.frag.glsl")});
     if (!first) {
         return Error{first.error()};
     }
     Expected<Program> second =
         link(gl_, {text("screen.vert.glsl")},
-             {*library, *macros, text("surface_shade.glsl"), text("passes.frag.glsl")});
+             {*library, macros, text("surface_shade.glsl"), text("passes.frag.glsl")});
     if (!second) {
         return Error{second.error()};
     }

@@ -120,6 +120,24 @@ tsu_status color(const Scene &scene, tsu_context *context, double eta, const Mat
     return TSU_E_PARAMETER;
 }
 
+// The layers of a leaf that the scene says in words.
+// Returns: false when they cannot be; `error` then says why, or the library's log does.
+bool leaf_layers(const Scene &scene, tsu_context *context, Material &material, std::string &error)
+{
+    if (scene.contents.empty() || !has_leaf(material.model)) {
+        return true;
+    }
+    for (const auto &given : scene.parameters) {
+        if (given.first.rfind("scatter_", 0) == 0 || given.first.rfind("absorption_", 0) == 0) {
+            error = given.first + " and a leaf's contents both set its layers; keep one";
+            return false;
+        }
+    }
+    tsu_status status = TSU_OK;
+    error = set_leaf(context, material.model, scene.contents, material.params.data(), status);
+    return error.empty() && status == TSU_OK;
+}
+
 void put(Material &material, const tsu_parameter_info &p, const glm::dvec3 &value)
 {
     float *field = reinterpret_cast<float *>(reinterpret_cast<char *>(material.params.data()) +
@@ -186,6 +204,10 @@ Expected<Material> material(const Scene &scene)
         if (!std::strcmp(p.name, "eta")) {
             eta = given != scene.parameters.end() ? given->second.x : p.default_value;
         }
+    }
+    std::string wrong;
+    if (!leaf_layers(scene, library.context, result, wrong)) {
+        return wrong.empty() ? library.failed(TSU_E_PARAMETER) : Error{wrong};
     }
     const bool hair = !(info.flags & TSU_MODEL_SURFACE);
     tsu_status status =

@@ -31,6 +31,8 @@ bool find_key(const std::string &name, Key &key);
 
 // Append what leaves and trees are grown from.
 void add_leaf_keys(std::vector<Key> &keys);
+// And what their material is made of.
+void add_leaf_material_keys(std::vector<Key> &keys);
 
 // A key whose value is `map`'s of the part of its name behind the last dot, when it was given.
 Key map_key(const char *group, const std::string &name,

@@ -3,6 +3,8 @@
 
 #include "leaf/generate.h"
 
+#include <algorithm>
+
 namespace tsuya::scene {
 
 namespace {
@@ -27,7 +29,64 @@ Key mesh_key()
             [](const Scene &scene) { return scene.mesh; }};
 }
 
+// The material in words: a name, contents, or faces.
+Key name_key()
+{
+    std::vector<std::string> names = leaf_names();
+    std::string range;
+    for (const std::string &name : names) {
+        range += (range.empty() ? "" : ", ") + name;
+    }
+    return {"leaf",
+            "material",
+            range,
+            "a leaf by name, for models of leaves",
+            [=](Scene &scene, const std::string &text) -> std::string {
+                if (std::find(names.begin(), names.end(), text) == names.end()) {
+                    return "is \"" + text + "\"";
+                }
+                scene.contents.name = text;
+                return "";
+            },
+            [](const Scene &scene) { return scene.contents.name; }};
+}
+
+Key content_key(const LeafKey &key)
+{
+    const std::string name = key.name;
+    const double low = key.low, high = key.high;
+    const bool triple = key.face;
+    return {name,
+            "material",
+            (triple ? "a,b,c each in " : "") + range_text(low, high),
+            key.help,
+            [=](Scene &scene, const std::string &text) {
+                glm::dvec3 value{0.0};
+                const std::string wrong = triple ? read_triple(text, low, high, value)
+                                                 : read_number(text, low, high, value.x);
+                if (wrong.empty()) {
+                    scene.contents.values[name] = value;
+                }
+                return wrong;
+            },
+            [=](const Scene &scene) -> std::string {
+                const auto found = scene.contents.values.find(name);
+                if (found == scene.contents.values.end()) {
+                    return "";
+                }
+                return triple ? triple_text(found->second) : number_text(found->second.x);
+            }};
+}
+
 } // namespace
+
+void add_leaf_material_keys(std::vector<Key> &keys)
+{
+    keys.push_back(name_key());
+    for (const LeafKey &key : leaf_keys()) {
+        keys.push_back(content_key(key));
+    }
+}
 
 void add_leaf_keys(std::vector<Key> &keys)
 {

@@ -148,6 +148,7 @@ void add_material_keys(std::vector<Key> &keys)
                 ColorBy::head_albedo),
     };
     keys.insert(keys.end(), fixed.begin(), fixed.end());
+    add_leaf_material_keys(keys);
     add_parameters(keys);
 }
 

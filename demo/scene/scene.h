@@ -10,6 +10,7 @@
 #define TSUYA_SCENE_SCENE_H
 
 #include "groom/expected.h"
+#include "scene/leaf_material.h"
 
 #include <glm/vec3.hpp>
 
@@ -73,6 +74,7 @@ struct Scene {
     glm::dvec3 sigma_a{0.0};
     glm::dvec3 albedo{0.5};
     glm::dvec3 head_albedo{0.3, 0.2, 0.1};
+    LeafWords contents; // what a leaf's material is made of
     double eumelanin = 0.0;
     double pheomelanin = 0.0;
 

@@ -48,14 +48,17 @@ def meshes_are_leaves():
 def what_is_no_leaf_is_refused():
     with tempfile.TemporaryDirectory() as folder:
         picture = folder + '/t.png'
-        refused(['render', 'leaf', 'model=marschner', '-o', picture], None, 'marschner', 'leaf_body')
+        refused(['render', 'leaf', 'model=marschner', '-o', picture], None, 'marschner', 'model=leaf')
         refused(['render', 'straight-brown', 'strands=100', 'model=leaf', '-o', picture], None,
                 'leaf', 'pigment')
+        refused(['render', 'leaf', 'leaf=grass', 'scatter_top=1,1,1', '-o', picture], None,
+                'scatter_top', 'contents')
+        refused(['render', 'leaf', 'leaf=gras', '-o', picture], None, 'leaf', 'grass')
         refused(['render', 'leaf', 'leaf.width=9', '-o', picture], None, 'leaf.width', '[0.05, 1.5]')
         refused(['render', 'tree', 'leaves=9', '-o', picture], None, 'leaves', '[200, 20000]')
         refused(['render', 'tree', 'mesh=a.obj', '-o', picture], None, 'mesh', 'kind=leaf')
     said = output('scenes', '--help')
-    for key in ('kind=hair, leaf, tree', 'mesh=', 'leaf.shape=beech', 'leaf.veins', 'leaves=',
+    for key in ('kind=hair, leaf, tree', 'mesh=', 'leaf=young_green', 'chlorophyll=', 'leaf.shape=beech', 'leaf.veins', 'leaves=',
                 'tree.roundness'):
         expect(key in said, key)
     said = output('scenes', 'tree', 'leaf.fold_deg=12')

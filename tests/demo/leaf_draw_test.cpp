@@ -150,6 +150,26 @@ void factors_reach_the_model(void **)
     }
 }
 
+// leaf_coarse has no answer of its own to even light: it is summed over directions, and comes to
+// what leaf_body says in closed form.
+void other_models_are_summed(void **)
+{
+    for (const double angle : {0.0, 50.0}) {
+        for (const double side : {1.0, -1.0}) {
+            const double a = angle * pi / 180.0;
+            double seen[2];
+            for (int i = 0; i < 2; i++) {
+                take(single(quad()), i ? tsu_leaf_body() : tsu_leaf_coarse(), {});
+                draw::SurfaceFrame f = frame({std::sin(a), 0.0, side * std::cos(a)});
+                f.sky[0] = f.sky[1] = f.sky[2] = 1.0f;
+                f.lights = {sun({0.3, 0.2, 1.0}, 1.0)};
+                seen[i] = mean(drawn(f), 1);
+            }
+            assert_true(std::fabs(seen[0] / seen[1] - 1.0) < 0.05);
+        }
+    }
+}
+
 } // namespace
 
 int main()
@@ -160,6 +180,7 @@ int main()
         cmocka_unit_test(white_leaf_vanishes_in_a_white_sky),
         cmocka_unit_test(sides_differ),
         cmocka_unit_test(factors_reach_the_model),
+        cmocka_unit_test(other_models_are_summed),
     };
     return run("leaf_draw", tests);
 }

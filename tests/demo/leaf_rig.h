@@ -10,6 +10,7 @@
 
 #include <tsuya/models/leaf.h>
 #include <tsuya/models/leaf_body.h>
+#include <tsuya/models/leaf_coarse.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 
