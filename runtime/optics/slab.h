@@ -17,6 +17,13 @@
 // unscattered (delta-M); radiances get their single scattering back exactly, from the whole phase
 // function, with all reflections of the beam and of the scattered ray at the walls.
 //
+// Errors, against many more nodes. Powers, 8 nodes, n from 1.05 to 2: 1e-7 (|g| to 0.5), 5e-6
+// (0.75), 3e-5 (0.85); 16 nodes 2e-8; n between 1 and 1.01, 16 nodes: 1e-5; n 1: as 8 nodes with
+// 16, relative to 1e-4 of what a slab thinner than 0.01 scatters. Radiances, relative: g 0.6, 12
+// nodes 1e-8 (n 1.2 and above), 20 nodes 1e-6 (n 1); g 0.85 24 and 32; g 0.95 56 nodes, n 1 more
+// than 100. What a white slab reflects and lets through adds up to 1 within 1e-12, whatever its
+// thickness, phase function, index and number of nodes.
+//
 // Sources: van de Hulst 1980, "Multiple Light Scattering", chapters 4 and 5 (adding and doubling);
 // Grant and Hunt 1969 (discrete space theory); Wiscombe 1977 (delta-M); Nakajima and Tanaka 1988
 // (single scattering restored); Grassmann, Taksar and Heyman 1985 (elimination without subtraction,

@@ -209,20 +209,32 @@ static void add_absorbed(struct tsu_i_slab_work *work, struct tsu_i_slab_element
     }
 }
 
+// What is not sent back. Where most of it is, what is sent back is held to the rest: the ripple of
+// a phase function that the nodes do not carry would else show in a stack that absorbs nothing.
 static void add_kept(const struct tsu_i_slab_work *work, struct tsu_i_slab_element *above)
 {
-    double *ones = work->scratch[1], *through = work->scratch[2];
+    const int reach = above->reach;
+    const size_t pitch = (size_t)work->count;
+    double *ones = work->scratch[1], *through = work->scratch[2], *back = work->scratch[3];
     for (int j = 0; j < work->count; j++)
         ones[j] = 1.0;
-    memset(through, 0, (size_t)work->count * sizeof *through);
-    tsu_i_slab_powers(work, above->reach, ones, above->through, through);
-    for (int j = 0; j < work->count; j++) {
-        if (above->kept[1] != above->kept[0])
-            above->kept[1][j] =
-                above->straight[j] + above->absorbed[1][j] +
-                (j < above->reach ? tsu_i_slab_power(work, above->reach, ones, above->through, j)
-                                  : 0.0);
-        above->kept[0][j] = above->straight[j] + above->absorbed[0][j] + through[j];
+    for (int side = above->kept[1] == above->kept[0] ? 0 : 1; side >= 0; side--) {
+        memset(through, 0, pitch * sizeof *through);
+        memset(back, 0, pitch * sizeof *back);
+        if (side)
+            for (int j = 0; j < reach; j++)
+                through[j] = tsu_i_slab_power(work, reach, ones, above->through, j);
+        else
+            tsu_i_slab_powers(work, reach, ones, above->through, through);
+        tsu_i_slab_powers(work, reach, ones, above->back[side], back);
+        for (int j = 0; j < work->count; j++) {
+            const double rest = above->lost[side][j] - above->absorbed[side][j] - through[j];
+            above->kept[side][j] = above->straight[j] + above->absorbed[side][j] + through[j];
+            back[j] = rest > 0.25 && back[j] > 0.25 ? rest / back[j] : 1.0;
+        }
+        for (size_t i = 0; i < (size_t)reach; i++)
+            for (size_t j = 0; j < (size_t)reach; j++)
+                above->back[side][i * pitch + j] *= back[j];
     }
 }
 

@@ -36,7 +36,7 @@ static void rooms_are_large_enough(void **state)
     (void)state;
     for (double g = -0.999; g <= 0.999; g += 0.001) {
         assert_true(bytes(1, tsu_i_slab_power_nodes(g), 1, 1, 0) <= SLAB_BYTES);
-        const uint32_t nodes = tsu_i_slab_bsdf_nodes(g);
+        const uint32_t nodes = tsu_i_slab_bsdf_nodes(g, g < 0.0 ? 1.0 : 1.5);
         assert_true(bytes(1, nodes, TSU_I_SLAB_MOMENTS * nodes, 2, 0) <= SLAB_BSDF_BYTES);
         const uint32_t of_layers = tsu_i_slab_layers_nodes(g);
         assert_true(bytes(SLAB_LAYERS, of_layers, TSU_I_SLAB_MOMENTS * of_layers, 2, 1) <=

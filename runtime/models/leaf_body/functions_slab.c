@@ -27,15 +27,18 @@ uint32_t tsu_i_slab_power_nodes(double g)
     return g <= 0.8 ? 24 : g <= 0.95 ? 32 : g <= 0.97 ? 64 : 96;
 }
 
-uint32_t tsu_i_slab_bsdf_nodes(double g)
+uint32_t tsu_i_slab_bsdf_nodes(double g, double n)
 {
     g = fabs(g);
+    if (n >= 1.2)
+        return g <= 0.85 ? 24 : g <= 0.9 ? 32 : 64;
     return g <= 0.85 ? 32 : g <= 0.9 ? 48 : 64;
 }
 
 uint32_t tsu_i_slab_layers_nodes(double g)
 {
-    return fabs(g) <= 0.85 ? 24 : 40;
+    g = fabs(g);
+    return g <= 0.8 ? 24 : g <= 0.85 ? 32 : 48;
 }
 
 void tsu_i_slab_params(const double *in, void *params)
@@ -112,7 +115,7 @@ void tsu_i_slab_bsdf_answer(const double *in, void *scratch, double *out)
     const struct tsu_i_slab_layer layer = {
         .n = in[3], .albedo = in[0], .depth = thickness(in[1]), .g = in[2]};
     const struct tsu_i_slab_direction directions[2] = {outside(in[4]), outside(in[6])};
-    const uint32_t nodes = tsu_i_slab_bsdf_nodes(in[2]);
+    const uint32_t nodes = tsu_i_slab_bsdf_nodes(in[2], in[3]);
     const struct tsu_i_slab_desc desc = {.layers = &layer,
                                          .layer_count = 1,
                                          .slide_top = 1.0,
@@ -127,7 +130,21 @@ void tsu_i_slab_bsdf_answer(const double *in, void *scratch, double *out)
                        : tsu_i_slab_brdf(&slab, TSU_I_SLAB_TOP, 0, 1, in[7]);
 }
 
-enum { NONE, BACK, THROUGH, UP, DOWN, FLUX_UP, FLUX_DOWN, SKY_UP, SKY_DOWN };
+enum {
+    NONE,
+    BACK,
+    THROUGH,
+    UP,
+    DOWN,
+    SKY_UP,
+    SKY_DOWN,
+    // Powers: no azimuth.
+    FLUX_UP,
+    FLUX_DOWN,
+    SKY_FLUX_UP,
+    SKY_FLUX_DOWN,
+    KINDS
+};
 enum { COUNT, MU0, SIDE, KIND, MU, PHI, LEVEL, N_TOP, N_BOT, MOMENT };
 
 enum { OF_HG, OF_RAYLEIGH, OF_MOMENTS };
@@ -146,10 +163,12 @@ const tsu_value_info tsu_i_slab_layers_inputs[SLAB_LAYERS_COLUMNS] = {
                    1),
     LIGHT,
     TSU_I_FRAGMENT("side", "top|bottom", "lit side, of f", 0, 1, 0),
-    TSU_I_FRAGMENT("kind", "none|R|T|up|down|flux_up|flux_down|sky_up|sky_down",
-                   "what f is: BRDF, BTDF; at the level radiance along mu over the irradiance from "
-                   "outside, power that crosses it, radiance along mu under a sky of radiance 1",
-                   0, 8, 0),
+    TSU_I_FRAGMENT(
+        "kind", "none|R|T|up|down|sky_up|sky_down|flux_up|flux_down|sky_flux_up|sky_flux_down",
+        "what f is: BRDF, BTDF; or at the level, radiance along mu over the irradiance "
+        "from outside, the same under a sky of radiance 1; power that crosses it of light "
+        "along mu0, or Lambertian",
+        0, KINDS - 1, 0),
     VIEW("cosine of the light that f is about: outside, or in the layer at the level"),
     AZIMUTH,
     TSU_I_FRAGMENT("level", "1", "optical thickness above the place inside", 0, TSU_VALUE_INFINITE,
@@ -213,14 +232,18 @@ static double asked(const struct tsu_i_slab *slab, const double *in)
     case UP:
     case DOWN:
         return tsu_i_slab_inside(slab, side, (int)in[KIND] == UP, 0, 1, in[PHI]);
-    case FLUX_UP:
-        return slab->inside_up[side][0];
-    case FLUX_DOWN:
-        return slab->inside_down[side][0];
     case SKY_UP:
         return slab->sky_up[side][1];
     case SKY_DOWN:
         return slab->sky_down[side][1];
+    case FLUX_UP:
+        return slab->inside_up[side][0];
+    case FLUX_DOWN:
+        return slab->inside_down[side][0];
+    case SKY_FLUX_UP:
+        return slab->diffuse_inside_up[side];
+    case SKY_FLUX_DOWN:
+        return slab->diffuse_inside_down[side];
     default:
         return 0.0;
     }
@@ -233,7 +256,7 @@ tsu_status tsu_i_slab_layers_answer(const tsu_context *context, const double *in
     double chi[SLAB_MOMENTS + 1], level = in[LEVEL];
     const uint32_t count = (uint32_t)in[COUNT];
     const int kind = (int)in[KIND], inside = kind >= UP;
-    const int radiance = kind != NONE && kind != FLUX_UP && kind != FLUX_DOWN;
+    const int azimuth = kind >= BACK && kind <= DOWN;
     if (in[COUNT] != (double)count) {
         tsu_i_log(context, TSU_LOG_ERROR, TSU_LOG_INPUT, "layers = %g is no whole number",
                   in[COUNT]);
@@ -260,7 +283,7 @@ tsu_status tsu_i_slab_layers_answer(const tsu_context *context, const double *in
                                          .slide_top = in[N_TOP],
                                          .slide_bottom = in[N_BOT],
                                          .nodes = nodes,
-                                         .modes = radiance ? TSU_I_SLAB_MOMENTS * nodes : 1,
+                                         .modes = azimuth ? TSU_I_SLAB_MOMENTS * nodes : 1,
                                          .directions = directions,
                                          .direction_count = 2,
                                          .inside_wanted = (uint32_t)inside,

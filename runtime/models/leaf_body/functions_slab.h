@@ -1,4 +1,16 @@
 // Scattering slabs as functions of the command, answered by the solver of optics/slab.h alone.
+//
+// slab         one layer between slides: powers, as the program iad names them.
+// slab-bsdf    one layer: BRDF or BTDF of a pair of directions.
+// slab-layers  a row is a whole stack. `layers` (1 to 6) says how many there are; layer k, counted
+//              from the top, is in the columns nk (index), ak (albedo), bk (optical thickness, inf
+//              allowed), gk and phasek: hg takes gk, rayleigh is 3/4 (1 + cos^2), moments takes the
+//              Legendre moments chi1 to chi8 of the row (chi0 is 1). Columns left out take their
+//              defaults: n 1, a 1, b 0, g 0, hg. Powers come out always; `f` is what `kind` asks
+//              for, of light along mu0 (or a sky) from `side`: R and T are BRDF and BTDF towards
+//              mu, phi; up and down the same inside, where the optical thickness above is `level`;
+//              sky_up and sky_down radiance there under a sky of radiance 1; flux_up, flux_down,
+//              sky_flux_up and sky_flux_down power that crosses the level.
 #ifndef TSU_MODELS_LEAF_BODY_FUNCTIONS_SLAB_H
 #define TSU_MODELS_LEAF_BODY_FUNCTIONS_SLAB_H
 
@@ -26,10 +38,9 @@ extern const tsu_value_info tsu_i_slab_layers_inputs[], tsu_i_slab_layers_output
 
 // Nodes that are taken for a mean cosine g, the largest of all layers. Powers of one layer are
 // right to 2e-8 (|g| to 0.95), 1e-6 (0.99), 4e-4 (0.999); radiances, relative and at the worst
-// grazing directions, to 3e-6 (0.85), 2e-5 (0.9), 3e-3 (0.95); of layers to 3e-4 (0.85), 3e-4
-// (0.9).
+// grazing directions, to 5e-6 (0.85), 2e-5 (0.9), 3e-3 (0.95), those of stacks to 2e-2 (0.95).
 uint32_t tsu_i_slab_power_nodes(double g);
-uint32_t tsu_i_slab_bsdf_nodes(double g);
+uint32_t tsu_i_slab_bsdf_nodes(double g, double n);
 uint32_t tsu_i_slab_layers_nodes(double g);
 
 // Slabs are no material of a model: its parameters stay as they are.
