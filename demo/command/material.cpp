@@ -41,7 +41,7 @@ const scene::LeafKey *leaf_key(const std::string &key)
 
 bool is_leaf(const std::string &key)
 {
-    return key == "leaf" || leaf_key(key);
+    return scene::leaf_by(key) != scene::LeafBy::nothing;
 }
 
 // What the words of a leaf set.

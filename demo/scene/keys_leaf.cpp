@@ -29,7 +29,17 @@ Key mesh_key()
             [](const Scene &scene) { return scene.mesh; }};
 }
 
-// The material in words: a name, contents, or faces.
+// The material in words: a name, contents, or faces; faces replace the rest and the other way round.
+void forget_others(LeafWords &words, LeafBy by)
+{
+    if (by == LeafBy::faces) {
+        words.name.clear();
+    }
+    for (auto value = words.values.begin(); value != words.values.end();) {
+        value = leaf_by(value->first) == by ? std::next(value) : words.values.erase(value);
+    }
+}
+
 Key name_key()
 {
     std::vector<std::string> names = leaf_names();
@@ -45,6 +55,7 @@ Key name_key()
                 if (std::find(names.begin(), names.end(), text) == names.end()) {
                     return "is \"" + text + "\"";
                 }
+                forget_others(scene.contents, LeafBy::contents);
                 scene.contents.name = text;
                 return "";
             },
@@ -65,6 +76,7 @@ Key content_key(const LeafKey &key)
                 const std::string wrong = triple ? read_triple(text, low, high, value)
                                                  : read_number(text, low, high, value.x);
                 if (wrong.empty()) {
+                    forget_others(scene.contents, leaf_by(name));
                     scene.contents.values[name] = value;
                 }
                 return wrong;

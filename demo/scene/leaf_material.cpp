@@ -75,6 +75,19 @@ const std::vector<LeafKey> &leaf_keys()
     return keys;
 }
 
+LeafBy leaf_by(const std::string &key)
+{
+    if (key == "leaf") {
+        return LeafBy::contents;
+    }
+    for (const LeafKey &known : leaf_keys()) {
+        if (key == known.name) {
+            return known.face ? LeafBy::faces : LeafBy::contents;
+        }
+    }
+    return LeafBy::nothing;
+}
+
 std::vector<std::string> leaf_names()
 {
     std::vector<std::string> names;

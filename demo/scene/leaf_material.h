@@ -38,6 +38,10 @@ struct LeafWords {
     bool operator==(const LeafWords &other) const;
 };
 
+// How a key says what a leaf is: the second replaces the first.
+enum class LeafBy { nothing, contents, faces };
+LeafBy leaf_by(const std::string &key);
+
 // True for a model whose material has a leaf's layers.
 bool has_leaf(const tsu_model *model);
 

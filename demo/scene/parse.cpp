@@ -81,6 +81,11 @@ class Reader
             }
             colored_ = true;
         }
+        const LeafBy by = leaf_by(name);
+        if (by != LeafBy::nothing && by_ != LeafBy::nothing && by != by_) {
+            return "R_top, R_bottom and T take the place of a leaf's name and contents; keep either";
+        }
+        by_ = by != LeafBy::nothing ? by : by_;
         return "";
     }
 
@@ -94,6 +99,7 @@ class Reader
 
     std::set<std::string> seen_;
     bool colored_ = false;
+    LeafBy by_ = LeafBy::nothing;
 };
 
 } // namespace

@@ -92,3 +92,24 @@ def a_leaf_in_words():
         for words, part in bad:
             refused(['bake', 'leaf_body', *words, '-o', folder + '/u.bin'], None, part)
         expect(not os.path.exists(folder + '/u.bin'), 'a file was written')
+
+
+@case
+def a_scene_says_leaves():
+    def brightness(*words):
+        with tempfile.TemporaryDirectory() as folder:
+            said = output('render', 'leaf', *words, 'size=48x48', 'leaf.texels=0', '-o',
+                          folder + '/p.png')
+        line, = (line for line in said.splitlines() if line.startswith('leaf luminance'))
+        return float(line.split()[2].rstrip(','))
+    dark, yellow = brightness('leaf=dark_shade'), brightness('leaf=yellow_autumn')
+    expect(1.5 * dark < yellow, f'a dark leaf of {dark}, a yellow one of {yellow}')
+    green = brightness('leaf=yellow_autumn', 'chlorophyll=60')
+    expect(1.2 * green < yellow, f'with chlorophyll {green}')
+    grey = brightness('R_top=0.4,0.4,0.4', 'T=0.4,0.4,0.4', 'R_bottom=0.4,0.4,0.4')
+    expect(yellow < grey, f'grey: {grey}')
+    for words, part in ((('leaf=gras',), 'grass'), (('R_top=0.1,0.1,0.1',), 'T is missing'),
+                        (('leaf=grass', 'T=0.1,0.1,0.1'), 'keep either'),
+                        (('R_top=0.1,0.1,0.1', 'T=0.95,0,0'), 'nearest possible'),
+                        (('chlorophyll=-1',), '[0, 1000000]')):
+        refused(('render', 'leaf', *words, '-o', 'never.png'), None, part)
