@@ -13,11 +13,9 @@
 #include <cstring>
 #include <stdexcept>
 
-namespace tsuya::command
-{
+namespace tsuya::command {
 
-namespace
-{
+namespace {
 
 bool is_angle(const tsu_parameter_info &parameter)
 {

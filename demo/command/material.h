@@ -12,8 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace tsuya::command
-{
+namespace tsuya::command {
 
 // The model's typed parameters, filled with defaults and then word by word.
 //

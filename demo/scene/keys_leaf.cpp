@@ -29,7 +29,7 @@ Key mesh_key()
             [](const Scene &scene) { return scene.mesh; }};
 }
 
-// The material in words: a name, contents, or faces; faces replace the rest and the other way round.
+// The material in words: a name, contents, or faces; faces replace the rest, and these them.
 void forget_others(LeafWords &words, LeafBy by)
 {
     if (by == LeafBy::faces) {

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cstring>
 
-namespace tsuya::scene
-{
+namespace tsuya::scene {
 
-namespace
-{
+namespace {
 
 // A number of the library's descriptors by the name of its key.
 template <typename Numbers> struct Field {

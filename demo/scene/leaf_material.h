@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace tsuya::scene
-{
+namespace tsuya::scene {
 
 // A key that says what a leaf is. Contents may be given over a name's; they and the faces exclude
 // each other.

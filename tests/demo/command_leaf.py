@@ -5,8 +5,8 @@ import tempfile
 
 from command_support import case, expect, output, refused, table
 
-# PROSPECT-D by its authors, shipped with github.com/jgomezdans/prosail in tests/data: N 1.2, Cab 30,
-# Car 10, Ant 1, Cw 0.015, Cm 0.009; lambda, R, T.
+# PROSPECT-D by its authors, shipped with github.com/jgomezdans/prosail in tests/data: N 1.2,
+# Cab 30, Car 10, Ant 1, Cw 0.015, Cm 0.009; lambda, R, T.
 RUN_D = '''
 400,0.043088,0.000701
 440,0.041348,0.001487
@@ -40,7 +40,8 @@ def prospect_has_ends():
     for line, part in (('1.2,30,10,1,0,0,0,399', '[400, 780]'), ('0.9,30,10,1,0,0,0,500', 'N'),
                        ('1.2,-1,10,1,0,0,0,500', 'Cab'), ('1.2,30,10,1,0,0,nan,500', 'Cm')):
         refused(PROSPECT, HEAD + line + '\n', part)
-    _, rows = table(output(*PROSPECT, text=HEAD + '1,0,0,0,0,0,0,780\n10,1e6,0,0,1e6,1e6,1e6,400\n'))
+    text = HEAD + '1,0,0,0,0,0,0,780\n10,1e6,0,0,1e6,1e6,1e6,400\n'
+    _, rows = table(output(*PROSPECT, text=text))
     white, black = ([float(cell) for cell in row[-2:]] for row in rows)
     expect(abs(sum(white) - 1) <= 1e-9, f'white: {white}')
     expect(0.03 < black[0] < 0.05 and black[1] == 0, f'black: {black}')
