@@ -22,11 +22,7 @@ static void ambient(struct sweep *sweep, const struct truth *truth, const double
             in[7] = side;
             sweep_table(sweep, 1, in, out);
             for (int through = 0; through < 2; through++) {
-                const double all = truth_power(truth, side, through, i);
-                const double straight = through ? truth->slab.direct[side][i]
-                                                : truth->slab.specular[side][i] -
-                                                      (truth->slab.reflectance[side][i] - all);
-                const double spread = (all - straight) * (1.0 + truth->straight[side][through]);
+                const double spread = truth_spread(truth, side, through, i);
                 *worst = fmax(*worst, fabs(out[through] - spread));
             }
         }

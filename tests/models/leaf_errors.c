@@ -58,11 +58,8 @@ void leaf_compare(struct sweep *sweep, const struct truth *truth, double *in, st
             }
             for (int i = 2; i < TRUTH_COSINES; i += 2) {
                 const double all = truth_power(truth, side, through, i);
-                const double straight = through ? truth->slab.direct[side][i]
-                                                : truth->slab.specular[side][i] -
-                                                      (truth->slab.reflectance[side][i] - all);
                 const double table = power(sweep, in, side, through, truth_cosine[i]);
-                const double spread = (all - straight) * (1.0 + truth->straight[side][through]);
+                const double spread = truth_spread(truth, side, through, i);
                 worst->power = fmax(worst->power, fabs(table - spread));
                 worst->straight = fmax(worst->straight, fabs(table - all));
             }

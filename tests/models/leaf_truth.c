@@ -59,9 +59,9 @@ void truth_solve(struct truth *truth, const tsu_leaf_body_params *params, double
                 weight * (slab->specular[side][TRUTH_COSINES + i] - surface(params->n, mu));
             straight[1] += weight * slab->direct[side][TRUTH_COSINES + i];
         }
-        truth->straight[side][0] =
-            straight[0] / (slab->diffuse_reflectance[side] - outer - straight[0]);
-        truth->straight[side][1] = straight[1] / (slab->diffuse_transmittance[side] - straight[1]);
+        for (int through = 0; through < 2; through++)
+            truth->straight[side][through] =
+                straight[through] / (3.14159265358979324 * (1.0 - outer) * (1.0 - outer));
     }
 }
 
@@ -75,7 +75,9 @@ double truth_value(const struct truth *truth, int side, int through, int in, int
     const double f = through
                          ? tsu_i_slab_btdf(&truth->slab, side, (uint32_t)in, (uint32_t)out, phi)
                          : tsu_i_slab_brdf(&truth->slab, side, (uint32_t)in, (uint32_t)out, phi);
-    return f * (1.0 + truth->straight[side][through]);
+    return f + truth->straight[side][through] *
+                   (1.0 - surface(truth->layers[0].n, truth->directions[in].mu)) *
+                   (1.0 - surface(truth->layers[0].n, truth->directions[out].mu));
 }
 
 double truth_power(const struct truth *truth, int side, int through, int in)
@@ -83,4 +85,17 @@ double truth_power(const struct truth *truth, int side, int through, int in)
     return through ? truth->slab.transmittance[side][in]
                    : truth->slab.reflectance[side][in] -
                          surface(truth->layers[0].n, truth->directions[in].mu);
+}
+
+double truth_spread(const struct truth *truth, int side, int through, int in)
+{
+    const struct tsu_i_slab *slab = &truth->slab;
+    const double n = truth->layers[0].n;
+    double outer = 0.0;
+    for (int i = 0; i < TRUTH_GAUSS; i++)
+        outer += 2.0 * node(i) * half_weight[i % 4] * surface(n, node(i));
+    const double scattered = through ? slab->transmittance[side][in] - slab->direct[side][in]
+                                     : slab->reflectance[side][in] - slab->specular[side][in];
+    return scattered + truth->straight[side][through] * 3.14159265358979324 * (1.0 - outer) *
+                           (1.0 - surface(n, truth->directions[in].mu));
 }

@@ -30,5 +30,7 @@ double truth_value(const struct truth *truth, int side, int through, int in, int
 // All light from directions[in] that goes to the lit side (without the outer surface's reflection)
 // or through, light that never scattered included.
 double truth_power(const struct truth *truth, int side, int through, int in);
+// The same with light that never scattered spread as the model says.
+double truth_spread(const struct truth *truth, int side, int through, int in);
 
 #endif

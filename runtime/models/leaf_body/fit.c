@@ -135,38 +135,18 @@ static double once_through(const double depth[2], const double albedo[2], double
            exp(-depth[0] / i) * once_through_layer(depth[1], albedo[1], i, o);
 }
 
-// Light that was never scattered (through the leaf, or back from the far wall) goes where scattered
-// light goes, so that energy is whole under uniform light. A leaf that hardly scatters, or whose
-// scattered light all lies at grazing, spreads all of it as Lambert would.
-struct spreading {
-    double whole;   // factor on scattered light
-    double lambert; // value at normal incidence of a Lambert leaf of the same power
-    double share;   // of scattered light in the power, [0, 1]
-};
-
-static struct spreading spread(const struct leaf_frame *frame, const struct leaf_modes *modes,
-                               int set)
+// Light that was never scattered (through the leaf, or back from the far wall) is spread as Lambert
+// would, so that energy is whole under uniform light: its value over the walls' factors.
+static double straight(const struct leaf_frame *frame, const struct leaf_modes *modes, int set)
 {
-    double scattered = 0.0, straight = 0.0, lambert = 0.0;
+    double power = 0.0, passed = 0.0;
     for (int i = 0; i < LEAF_OUTER; i++) {
         const double t = 1.0 - frame->reflectance[LEAF_INNER + i];
         const double share = 2.0 * frame->outer[i] * frame->outer_weight[i] * t;
-        straight += share * t * (set == LEAF_THROUGH ? modes->through[i] : modes->back[i]);
-        for (int j = 0; j < LEAF_OUTER; j++) {
-            const double other = 2.0 * frame->outer[j] * frame->outer_weight[j] *
-                                 (1.0 - frame->reflectance[LEAF_INNER + j]);
-            scattered += TSU_I_PI * share * other * modes->f[set][0][LEAF_OUTER * i + j];
-            lambert += TSU_I_PI * share * other;
-        }
+        power += share * t * (set == LEAF_THROUGH ? modes->through[i] : modes->back[i]);
+        passed += share;
     }
-    scattered = fmax(scattered, 1e-15);
-    const double all = scattered + straight;
-    return (struct spreading){all / scattered, all / lambert, scattered / all};
-}
-
-static double ramp(double x, double from, double to)
-{
-    return fmin(fmax((x - from) / (to - from), 0.0), 1.0);
+    return power / (TSU_I_PI * passed * passed);
 }
 
 void tsu_i_leaf_fit(const struct leaf_frame *frame, const struct leaf_fitter *fitter,
@@ -206,14 +186,10 @@ void tsu_i_leaf_fit(const struct leaf_frame *frame, const struct leaf_fitter *fi
     for (int t = 0; t < fitter->count[set]; t++)
         for (int s = 0; s < LEAF_SAMPLES; s++)
             c[fitter->which[set][t]] += fitter->solver[set][t][s] * values[s];
-    const struct spreading spreading = spread(frame, modes, set);
-    const double value = c[0] * spreading.whole;
-    const double trust =
-        ramp(spreading.share, 0.02, 0.2) * ramp(value / spreading.lambert, 0.1, 0.3);
-    const double first = trust * value + (1.0 - trust) * spreading.lambert;
-    numbers[0] = (float)log2(fmax(first, least));
+    const double first = fmax(c[0] + straight(frame, modes, set), least);
+    numbers[0] = (float)log2(first);
     for (int t = 1; t < LEAF_TERMS; t++)
-        numbers[t] = trust > 0.0 ? (float)(trust * c[t] * spreading.whole / first) : 0.0f;
+        numbers[t] = (float)(c[t] / first);
     if (fitter->count[set] < LEAF_TERMS) {
         // The coarse form has all of its terms in texel A.
         numbers[3] = numbers[6];

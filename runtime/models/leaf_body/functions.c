@@ -146,21 +146,20 @@ size_t tsu_i_leaf_answer_bytes(void)
     return (slab > inverse ? slab : inverse) * sizeof(double);
 }
 
-// Share of uniform light that goes straight on (or comes back so from the far wall) by the share
-// that scatters, which it is given to.
-static double straight_share(const struct tsu_i_slab *slab, double n, int side, int through)
+// What the model adds for light that goes straight on, or comes back so from the far wall:
+// Lambert's value of the same power, over the walls' factors.
+static double straight(const struct tsu_i_slab *slab, double n, int side, int through)
 {
-    double straight = 0.0;
+    double power = 0.0;
     for (int i = 0; i < GAUSS; i++) {
         double weight;
         const double mu = gauss(i, &weight);
-        straight += 2.0 * mu * weight *
-                    (through ? slab->direct[side][2 + i]
-                             : slab->specular[side][2 + i] - tsu_i_leaf_wall_reflectance(n, mu));
+        power += 2.0 * mu * weight *
+                 (through ? slab->direct[side][2 + i]
+                          : slab->specular[side][2 + i] - tsu_i_leaf_wall_reflectance(n, mu));
     }
-    const double all = through ? slab->diffuse_transmittance[side]
-                               : slab->diffuse_reflectance[side] - tsu_i_leaf_wall_mean(n);
-    return straight / fmax(all - straight, 1e-12);
+    const double passed = 1.0 - tsu_i_leaf_wall_mean(n);
+    return power / (TSU_I_PI * passed * passed);
 }
 
 tsu_status tsu_i_leaf_answer(const tsu_context *context, const double *in, double alpha,
@@ -180,7 +179,8 @@ tsu_status tsu_i_leaf_answer(const tsu_context *context, const double *in, doubl
     const int side = in[SIDE] > 0.5, through = in[KIND] > 0.5;
     double f = through ? tsu_i_slab_btdf(&slab, side, 0, 1, in[PHI])
                        : tsu_i_slab_brdf(&slab, side, 0, 1, in[PHI]);
-    f *= 1.0 + straight_share(&slab, n, side, through);
+    f += straight(&slab, n, side, through) * (1.0 - tsu_i_leaf_wall_reflectance(n, mu0)) *
+         (1.0 - tsu_i_leaf_wall_reflectance(n, mu));
     out[0] = out[1] = out[2] = 0.0;
     if (alpha > 0.0) {
         f *= tsu_i_leaf_coat_factor(n, alpha, mu0) * tsu_i_leaf_coat_factor(n, alpha, mu);
@@ -261,10 +261,13 @@ static tsu_status ambient_answer(const tsu_context *context, const double *in, v
     desc.modes = 1;
     tsu_i_slab_solve(&slab, &desc, scratch);
     const int side = in[AMBIENT_SIDE] > 0.5;
-    out[0] = (slab.reflectance[side][0] - slab.specular[side][0]) *
-             (1.0 + straight_share(&slab, question.n, side, 0));
-    out[1] = (slab.transmittance[side][0] - slab.direct[side][0]) *
-             (1.0 + straight_share(&slab, question.n, side, 1));
+    const double n = question.n;
+    const double passed = TSU_I_PI * (1.0 - tsu_i_leaf_wall_mean(n)) *
+                          (1.0 - tsu_i_leaf_wall_reflectance(n, full[MU]));
+    out[0] =
+        slab.reflectance[side][0] - slab.specular[side][0] + straight(&slab, n, side, 0) * passed;
+    out[1] =
+        slab.transmittance[side][0] - slab.direct[side][0] + straight(&slab, n, side, 1) * passed;
     return TSU_OK;
 }
 

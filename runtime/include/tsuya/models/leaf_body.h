@@ -16,7 +16,7 @@
 // on top, below, transmission), 16 KiB.
 //
 // Light that crosses the leaf unscattered, or comes back so from the far wall, is given the
-// distribution of scattered light: no cuticle is smooth enough to see through. The power is whole.
+// distribution of a Lambert leaf: no cuticle is smooth enough to see through. The power is whole.
 //
 // GLSL (glsl/leaf_body/eval.glsl), six fetches a light:
 //   tsu_leaf_body_lobes tsu_leaf_body_eval(int material, vec3 n, vec3 l, vec3 v, float pigment,
