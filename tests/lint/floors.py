@@ -13,7 +13,7 @@ FLOORS = {
     'base': [],
     'optics': ['base/'],
     'models': [],
-    'models/*': ['base/', 'optics/', 'models/model.h', 'models/values.h'],
+    'models/*': ['base/', 'optics/', 'models/model.h', 'models/values.h', 'models/fiber_values.h'],
     'bake': ['base/'] + MODEL,
     'shade': ['base/'] + MODEL,
     'hair_shadow': ['base/'] + MODEL,
