@@ -2,7 +2,8 @@
 // Hair lit through solved layers of hair: dual_scattering's shader over another table.
 //
 // Record: as in dual_scattering/eval.glsl, with the places of the table "layer":
-//   6  the same over its fields, 48 rows over sin(theta_r) in [-1, 1]
+//   6  the same over its fields, 48 rows over sin(theta_r) (0.5 - 0.2 cos(theta_r)) + 0.5: nearly
+//      even in theta_r
 //   7  origin x, y of the lobe of light that comes back; extent x of the front axis
 
 struct tsu_plane_parallel_hair_lobes {
@@ -13,8 +14,10 @@ struct tsu_plane_parallel_hair_lobes {
 tsu_dual_scattering_stream tsu_plane_parallel_hair_at(int material, vec3 t, vec3 v, vec3 sigma_a)
 {
     vec4 place = TSU_RECORD(material, 6);
+    float sin_r = dot(t, v);
+    float cos_r = sqrt(abs(1.0 - sin_r * sin_r));
     return tsu_dual_scattering_read(place, tsu_dual_scattering_columns(place, sigma_a),
-                                    0.5 * dot(t, v) + 0.5);
+                                    sin_r * (0.5 - 0.2 * cos_r) + 0.5);
 }
 
 // L_r = Int L_i value dω_i: times radiance and solid angle of the light, no further cosine and no

@@ -117,6 +117,45 @@ static void fibers(struct sweep *sweep, int count, int draws, long walks, int so
     hold("tables: mean error of R and T", mean / values, sweep_stated(model, "slab_all_mean"));
 }
 
+// Views nearly along the fibres, where curls point at the viewer: the tables against the walk.
+static void steep(struct sweep *sweep, int count, long walks)
+{
+    static const double absorptions[4] = {0.1, 0.5, 2.0, 20.0};
+    static const double angles[6] = {-88, -84, -78, 78, 84, 88};
+    const tsu_model *model = tsu_plane_parallel_hair();
+    double worst = 0.0;
+    for (int f = 0; f < count; f++) {
+        double in[SLAB_INPUTS], taus[SLAB_TAUS], out[SLAB_OUTPUTS];
+        if (f)
+            slab_fiber(sweep, in);
+        else
+            slab_default(in);
+        for (int i = 0; i < 24; i++) {
+            struct walk_slab slabs[SLAB_TAUS];
+            in[SLAB_THETA] = angles[i % 6] * degree;
+            in[SLAB_SIGMA] = absorptions[i / 6];
+            const int rows = slab_walk(in, walks, (uint64_t)(1000 + 24 * f + i), taus, slabs);
+            slab_material(sweep, model, 0, in);
+            for (int t = 0; t < rows; t++) {
+                in[SLAB_TAU] = taus[t];
+                sweep_table(sweep, 0, in, out);
+                for (int k = 0; k < (taus[t] < 1e9 ? 2 : 1); k++) {
+                    const double truth = k ? slabs[t].t : slabs[t].r;
+                    const double noise = 3.0 * (k ? slabs[t].t_se : slabs[t].r_se);
+                    const double off = fmax(fabs(out[SLAB_R + k] - truth) - noise, 0.0);
+                    worst = fmax(worst, off);
+                    if (off > 0.02 && getenv("TSUYA_PRINT")) {
+                        printf("%c %.4f walk %.4f off %.3f ", "RT"[k], out[SLAB_R + k], truth, off);
+                        slab_print("fibre", in);
+                    }
+                }
+            }
+        }
+    }
+    hold("tables, theta beyond 75 degrees: largest error", worst,
+         sweep_stated(model, "slab_steep"));
+}
+
 static void white(struct sweep *sweep, int count)
 {
     const tsu_model *model = tsu_plane_parallel_hair();
@@ -147,6 +186,7 @@ int main(void)
     sweep_open(&sweep, 1);
     slabs(&sweep, many ? 1 : 3);
     fibers(&sweep, many ? 60 : 3, many ? 4 : 2, many ? 100000 : 40000, many ? 9 : 6);
+    steep(&sweep, many ? 12 : 2, many ? 40000 : 10000);
     white(&sweep, many ? 30 : 2);
     sweep_close(&sweep);
     return failures != 0;

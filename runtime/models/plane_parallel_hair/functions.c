@@ -57,9 +57,11 @@ static void sampled(const void *opaque, const float *record, const struct tsu_i_
                                    .columns = LAYER_WIDTH,
                                    .rows = LAYER_HEIGHT,
                                    .row = {row, row + LAYER_LOBE_ROWS}};
-    tsu_i_marschner_fetch(tables + 1, LAYER_WIDTH, LAYER_HEIGHT,
-                          tsu_i_dual_sigma_place(slab.sigma_a) * (LAYER_WIDTH - 1),
-                          (0.5f * slab.sin_r + 0.5f) * DUAL_SPAN(LAYER_ROWS), slab.stream);
+    const float cos_r = sqrtf(fabsf(1.0f - slab.sin_r * slab.sin_r));
+    tsu_i_marschner_fetch(
+        tables + 1, LAYER_WIDTH, LAYER_HEIGHT,
+        tsu_i_dual_sigma_place(slab.sigma_a) * (LAYER_WIDTH - 1),
+        (slab.sin_r * (0.5f - LAYER_STEEP * cos_r) + 0.5f) * DUAL_SPAN(LAYER_ROWS), slab.stream);
     tsu_i_dual_slab(&slab, in[2], out);
     float shares[4];
     tsu_i_marschner_fetch(tables + 1, LAYER_WIDTH, LAYER_HEIGHT,

@@ -1,6 +1,6 @@
 #include "models/plane_parallel_hair/state.h"
 
-#include "models/values.h"
+#include "models/fiber_values.h"
 
 #include <tsuya/models/plane_parallel_hair.h>
 #include <tsuya/models/marschner.h>
@@ -11,45 +11,19 @@ typedef tsu_plane_parallel_hair_params params;
 
 static const params defaults = {
     .struct_size = sizeof(params),
-    .eta = 1.55f,
-    .alpha_R = (float)TSU_I_DEGREES(-7.5),
-    .beta_R = (float)TSU_I_DEGREES(7.5),
-    .beta_az = (float)TSU_I_DEGREES(10),
-    .sigma_a = {0.5447f, 0.9061f, 1.781f},
+    TSU_I_FIBER_DEFAULTS,
     .d_f = 1.0f,
     .d_b = 1.0f,
 };
 
 static const tsu_parameter_info parameters[] = {
-    TSU_I_PARAMETER(params, eta, 1, "1", 1, 1.2, 2.0, 1.55, "refractive index of the fibre"),
-    TSU_I_PARAMETER(params, alpha_R, 1, "rad", 1, TSU_I_DEGREES(-20), TSU_I_DEGREES(20),
-                    TSU_I_DEGREES(-7.5),
-                    "shift of the R lobe in theta_i + theta_r; negative is towards the root"),
-    TSU_I_PARAMETER(params, beta_R, 1, "rad", 1, TSU_I_DEGREES(2), TSU_I_DEGREES(30),
-                    TSU_I_DEGREES(7.5), "longitudinal deviation of R in theta_i + theta_r"),
-    TSU_I_PARAMETER(params, beta_az, 1, "rad", 1, TSU_I_DEGREES(5), TSU_I_DEGREES(30),
-                    TSU_I_DEGREES(10), "azimuthal deviation"),
-    TSU_I_PARAMETER(params, sigma_a, 3, "1/radius", 0, 0, 1e6, 0.9061,
-                    "absorption per fibre radius, linear RGB"),
-    TSU_I_PARAMETER(params, scale_shifts, 1, "1", 1, 0, 1, 0,
-                    "lobe shifts from the textbook's (0) to those of real tilted scales (1)"),
-    TSU_I_PARAMETER(params, d_f, 1, "1", 0, 0, 1, 1,
-                    "factor on multiply scattered light that goes on"),
-    TSU_I_PARAMETER(params, d_b, 1, "1", 0, 0, 1, 1,
-                    "factor on multiply scattered light that comes back"),
+    TSU_I_FIBER_PARAMETERS(params, 1),
+    TSU_I_MULTIPLE_PARAMETERS(params),
 };
 
 static const tsu_input_info inputs[] = {
-    TSU_I_INPUT("material", "int", 0, "index of the material in the bound page"),
-    TSU_I_INPUT("t", "vec3", 0, "unit tangent, root to tip"),
-    TSU_I_INPUT("l", "vec3", 0, "unit vector to the light"),
-    TSU_I_INPUT("v", "vec3", 0, "unit vector to the viewer"),
-    TSU_I_INPUT("sigma_a", "vec3", 0, "absorption per fibre radius, linear RGB"),
-    TSU_I_INPUT("front", "float", TSU_INPUT_EXTRA,
-                "mean number of fibres between here and the light"),
-    TSU_I_INPUT("behind", "float", TSU_INPUT_EXTRA | TSU_INPUT_VARIANT,
-                "mean number of fibres on the far side, away from the light"),
-    TSU_I_INPUT("direct", "float", TSU_INPUT_EXTRA, "share of the direct light that arrives"),
+    TSU_I_FIBER_INPUTS,
+    TSU_I_MULTIPLE_INPUTS,
 };
 
 static const tsu_variant_info variants[] = {
@@ -79,9 +53,9 @@ static const struct tsu_i_table tables[] = {
     {.info = {.struct_size = sizeof(tsu_table_info),
               .name = "layer",
               .axes =
-                  "48 rows: x log2(1 + 250 sigma_a) / 13 in [0, 1], y sin(theta_r) in [-1, 1]; 48: "
-                  "y cos(theta_r) in [0, 1]; twice 16: x exp2(-front / 4) in [0, 1], y absorption "
-                  "as before",
+                  "48 rows: x log2(1 + 250 sigma_a) / 13 in [0, 1], y sin(theta_r) (0.5 - 0.2 "
+                  "cos(theta_r)) + 0.5; 48: y cos(theta_r) in [0, 1]; twice 16: x exp2(-front / 4) "
+                  "in [0, 1], y absorption as before",
               .channels =
                   "k (log2(e) 2/pi), r, shares back and on; a_f, a_b; a, b, c of the lobes back "
                   "and on",

@@ -6,8 +6,8 @@
 #include "models/dual_scattering/state.h"
 #include "optics/fiber_layer.h"
 
-// Table "layer": 48 rows of fields over sin(theta_r), 48 of shares over cos(theta_r), 16 of each
-// lobe over absorption.
+// Table "layer": 48 rows of fields over the view's inclination, 48 of shares over cos(theta_r), 16
+// of each lobe over absorption.
 enum {
     LAYER_WIDTH = 64,
     LAYER_ROWS = 48,
@@ -33,6 +33,11 @@ struct layer_solved {
 double tsu_i_layer_sigma(int i);       // absorption i of SOLVED_SIGMAS
 double tsu_i_layer_inclination(int i); // view inclination i of SOLVED_THETAS, radians
 double tsu_i_layer_depth(int i);       // depth i of SOLVED_DEPTHS, fibres; the first is 0
+
+// Axis of the fields, [0, 1]: sin(theta_r) (0.5 - LAYER_STEEP cos(theta_r)) + 0.5. Nearly even in
+// theta_r, denser along the fibres, where k and r change fastest and sin(theta_r) stands still.
+#define LAYER_STEEP 0.2f
+double tsu_i_layer_row(int i); // inclination of row i of LAYER_ROWS, radians
 
 // solve.c: one absorption. Five azimuths leave 0.5 % of R and T.
 enum {

@@ -1,6 +1,7 @@
 // The table "layer", colourless.
 //
-// Lower 48 rows, sin(theta_r) = -1 + 2 j/47, columns absorption as in dual_scattering's "fields":
+// Lower 48 rows, inclination theta_r (tsu_i_layer_row), columns absorption as in dual_scattering's
+// "fields":
 //     log2(e) (2/pi) k, r, shares back and on of the first event, as corrected, over the
 //     lobes' powers
 // 48 rows, cos(theta_r) = j/47: the fibre's own aligned shares forward and backward, for hosts that
@@ -26,6 +27,20 @@ void tsu_i_layer_bake(const void *state, uint32_t unit, void *scratch, float *te
     tsu_i_layer_solve(state, (int)unit, scratch, &solved);
     memcpy(texels, &solved, sizeof solved);
 }
+
+double tsu_i_layer_row(int i)
+{
+    double low = -0.5 * TSU_I_PI, high = -low;
+    for (int step = 0; step < 50; step++) {
+        const double theta = 0.5 * (low + high);
+        const double y = sin(theta) * (0.5 - (double)LAYER_STEEP * cos(theta)) + 0.5;
+        *(y * (LAYER_ROWS - 1) > i ? &high : &low) = theta;
+    }
+    return 0.5 * (low + high);
+}
+
+// The steepest inclination solved.
+#define STEEPEST (75.0 * TSU_I_PI / 180.0)
 
 // Catmull-Rom through equally spaced values; x in [0, count - 1].
 static double smooth(const double *values, int count, double x)
@@ -55,23 +70,20 @@ static double over_sigma(const double values[SOLVED_SIGMAS], double u)
     return values[SOLVED_SIGMAS - 1];
 }
 
-// Correction `which` at theta_r and the place u of an absorption in [0, 1]. Beyond the steepest
-// inclination solved it fades: along the fibres all is reflected, and the closed form is right.
+// Correction `which` at theta_r, up to the steepest inclination solved, and the place u of an
+// absorption in [0, 1].
 static double correction(const struct layer_solved solved[SOLVED_SIGMAS], int which, double theta,
                          double u)
 {
     double values[SOLVED_SIGMAS];
-    const double steepest = tsu_i_layer_inclination(SOLVED_THETAS - 1);
-    const double x = (fmin(fmax(theta, -steepest), steepest) + steepest) / (2.0 * steepest) *
-                     (SOLVED_THETAS - 1);
+    const double x = (theta + STEEPEST) / (2.0 * STEEPEST) * (SOLVED_THETAS - 1);
     for (int s = 0; s < SOLVED_SIGMAS; s++) {
         double over_theta[SOLVED_THETAS];
         for (int t = 0; t < SOLVED_THETAS; t++)
             over_theta[t] = (&solved[s].fits[t].ln_k)[which];
         values[s] = smooth(over_theta, SOLVED_THETAS, x);
     }
-    const double steep = fabs(theta) > steepest ? cos(theta) / cos(steepest) : 1.0;
-    return steep * over_sigma(values, u);
+    return over_sigma(values, u);
 }
 
 static struct tsu_i_turn turn_of(const struct dual_state *state, double theta, int column)
@@ -119,19 +131,27 @@ static double lobe_powers(const struct layer_solved *solved, double theta, doubl
     return sum;
 }
 
+// Beyond the steepest inclination solved the first event is the closed form's, which is right along
+// the fibres, where all is reflected, and its corrections fade. Later events happen less steeply: k
+// and r move on by 0.4 of the inclination alone, which fits walks of light seen at 78 to 88
+// degrees.
 static void field(const struct dual_state *state, const struct layer_solved *solved, double theta,
                   int column, float out[4])
 {
+    const double inner = fmin(fmax(theta, -STEEPEST), STEEPEST);
+    const double steep = theta == inner ? 1.0 : cos(theta) / cos(STEEPEST);
     const struct tsu_i_turn turn = turn_of(state, theta, column);
-    const struct tsu_i_stream stream = tsu_i_two_stream(&turn, state->fiber.eta, state->gamma);
+    const struct tsu_i_turn later = turn_of(state, inner + 0.4 * (theta - inner), column);
+    const struct tsu_i_stream first = tsu_i_two_stream(&turn, state->fiber.eta, state->gamma);
+    const struct tsu_i_stream stream = tsu_i_two_stream(&later, state->fiber.eta, state->gamma);
     const double u = (double)column / (LAYER_WIDTH - 1);
-    const double logit = log(stream.r / (1.0 - stream.r)) + correction(solved, 1, theta, u);
+    const double logit = log(stream.r / (1.0 - stream.r)) + correction(solved, 1, inner, u);
     out[0] =
-        (float)(TSU_I_LOG2E * 2.0 / TSU_I_PI * stream.k * exp(correction(solved, 0, theta, u)));
+        (float)(TSU_I_LOG2E * 2.0 / TSU_I_PI * stream.k * exp(correction(solved, 0, inner, u)));
     out[1] = (float)(1.0 / (1.0 + exp(-logit)));
     const double powers = lobe_powers(solved, theta, u);
-    out[2] = (float)((stream.backward + correction(solved, 2, theta, u)) / powers);
-    out[3] = (float)((stream.forward + correction(solved, 3, theta, u)) / powers);
+    out[2] = (float)((first.backward + steep * correction(solved, 2, inner, u)) / powers);
+    out[3] = (float)((first.forward + steep * correction(solved, 3, inner, u)) / powers);
 }
 
 void tsu_i_layer_finish(const void *opaque, float *texels)
@@ -140,9 +160,8 @@ void tsu_i_layer_finish(const void *opaque, float *texels)
     struct layer_solved solved[SOLVED_SIGMAS];
     for (int s = 0; s < SOLVED_SIGMAS; s++)
         memcpy(solved + s, texels + s * LAYER_WIDTH * 4, sizeof *solved);
-    const double steepest = 0.5 * TSU_I_PI - 1e-3;
     for (int j = 0; j < LAYER_ROWS; j++) {
-        const double theta = asin(-1.0 + 2.0 * j / (LAYER_ROWS - 1));
+        const double theta = tsu_i_layer_row(j);
         const double fallen = acos(fmax((double)j / (LAYER_ROWS - 1), 1e-3));
         for (int i = 0; i < LAYER_WIDTH; i++) {
             const struct tsu_i_turn turn = turn_of(state, fallen, i);
@@ -150,8 +169,7 @@ void tsu_i_layer_finish(const void *opaque, float *texels)
             shares[0] = (float)turn.forward;
             shares[1] = (float)turn.backward;
             shares[2] = shares[3] = 0.0f;
-            field(state, solved, fmin(fmax(theta, -steepest), steepest), i,
-                  texels + 4 * (j * LAYER_WIDTH + i));
+            field(state, solved, theta, i, texels + 4 * (j * LAYER_WIDTH + i));
         }
     }
     for (int side = 0; side < 2; side++)
