@@ -12,7 +12,7 @@ namespace tsuya::draw {
 
 namespace {
 
-constexpr float opaque = 8.0f; // fibres a cell of the solid counts as
+constexpr float thick = 8.0f; // fibres in a cell of a hairy solid
 
 } // namespace
 
@@ -33,7 +33,8 @@ void Grid::splat(const glm::vec3 &place, const glm::vec3 &tangent, float amount)
     }
 }
 
-void Grid::fill(const groom::Groom &groom, const Solid &solid, float width_scale, int resolution)
+void Grid::fill(const groom::Groom &groom, const Solid &solid, bool hairy, float width_scale,
+                int resolution)
 {
     glm::vec3 lower = groom.points.front(), upper = lower;
     for (const glm::vec3 &p : groom.points) {
@@ -46,6 +47,7 @@ void Grid::fill(const groom::Groom &groom, const Solid &solid, float width_scale
     size_ = glm::ivec3(glm::ceil(extent / cell_)) + 3;
     density_.assign(std::size_t(size_.x) * std::size_t(size_.y) * std::size_t(size_.z), 0.0f);
     along_.assign(density_.size(), glm::mat3(0.0f));
+    solid_.assign(density_.size(), 0);
 
     const float volume = cell_ * cell_ * cell_;
     for (std::size_t s = 0; s < groom.strands(); s++) {
@@ -70,11 +72,15 @@ void Grid::fill(const groom::Groom &groom, const Solid &solid, float width_scale
         for (int y = 0; y < size_.y; y++) {
             for (int x = 0; x < size_.x; x++) {
                 const glm::vec3 p = corner_ + cell_ * (glm::vec3(x, y, z) + 0.5f);
-                // Well inside the surface, or hair that lies on it would be in its shadow.
-                const glm::vec3 q = (p - solid.centre) /
-                                    glm::max(solid.semi_axes - 3.0f * cell_, glm::vec3(1e-6f));
+                // A cell inside the surface, or the hair that lies on it would be cut off as well.
+                const glm::vec3 q =
+                    (p - solid.centre) / glm::max(solid.semi_axes - cell_, glm::vec3(1e-6f));
                 if (glm::dot(q, q) < 1.0f) {
-                    density_[index(x, y, z)] += opaque / cell_;
+                    if (hairy) {
+                        density_[index(x, y, z)] += thick / cell_;
+                    } else {
+                        solid_[index(x, y, z)] = 1;
+                    }
                 }
             }
         }
@@ -82,6 +88,16 @@ void Grid::fill(const groom::Groom &groom, const Solid &solid, float width_scale
 }
 
 std::vector<float> Grid::sweep(const glm::vec3 &direction) const
+{
+    return add_up(direction, false);
+}
+
+std::vector<float> Grid::beyond(const glm::vec3 &direction) const
+{
+    return add_up(-direction, true);
+}
+
+std::vector<float> Grid::add_up(const glm::vec3 &direction, bool stop) const
 {
     // Slices across the light's longest component, from the light's side on. A cell's way to the
     // light leaves its slice for the one before at a point between four centres.
@@ -125,7 +141,7 @@ std::vector<float> Grid::sweep(const glm::vec3 &direction) const
                            fy * ((1.0f - fx) * value(at + stride[v]) +
                                  fx * value(at + stride[v] + stride[u]));
                 }
-                fibres[here] = sum;
+                fibres[here] = stop && solid_[here] ? 0.0f : sum;
             }
         }
     }

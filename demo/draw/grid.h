@@ -27,13 +27,17 @@ class Grid
 {
   public:
     // Spread a groom over cubes, `resolution` of them along its longest side, and a border.
+    //   hairy        the solid counts as thick hair instead
     //   width_scale  factor on every fibre's width, > 0
-    void fill(const groom::Groom &groom, const Solid &solid, float width_scale,
+    void fill(const groom::Groom &groom, const Solid &solid, bool hairy, float width_scale,
               int resolution = 128);
 
-    // Fibres between each cell's centre and the light, x fastest, then y.
+    // Fibres between each cell's centre and the light, x fastest, then y, as if there were no
+    // solid.
     //   direction  towards the light, unit, space of the groom
     std::vector<float> sweep(const glm::vec3 &direction) const;
+    // Fibres on the same line away from the light, up to the solid, behind which no light gets.
+    std::vector<float> beyond(const glm::vec3 &direction) const;
 
     glm::ivec3 size() const
     {
@@ -60,12 +64,14 @@ class Grid
                std::size_t(x);
     }
     void splat(const glm::vec3 &place, const glm::vec3 &tangent, float amount);
+    std::vector<float> add_up(const glm::vec3 &direction, bool stop) const;
 
     glm::ivec3 size_{0};
     glm::vec3 corner_{0.0f};
     float cell_ = 1.0f;
     std::vector<float> density_; // w s / V
     std::vector<glm::mat3> along_; // the same times t t^T
+    std::vector<char> solid_;      // 1: cell of the solid
 };
 
 } // namespace tsuya::draw

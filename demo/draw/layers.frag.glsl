@@ -1,14 +1,16 @@
-// Fibres of a light's map, added up layer by layer.
+// Fibres of a light's map, added up layer by layer. Hair in the head's shadow is left out: it gets no
+// light and must not count as hair behind what is in front of the head.
 
 in vec3 v_position;
 uniform vec4 u_record[12];
 uniform highp sampler2D u_map_front;
+uniform vec3 u_to_light;
 layout(location = 0) out vec4 o_layers;
 layout(location = 1) out vec4 o_deeper;
 
 void main()
 {
-    float cover = coverage();
+    float cover = coverage() * (1.0 - blocked(v_position, u_to_light));
     if (cover <= 0.0) {
         discard;
     }

@@ -15,9 +15,9 @@ namespace tsuya::draw {
 bool MapsAsked::operator==(const MapsAsked &other) const
 {
     return technique == other.technique && layers == other.layers && size == other.size &&
-           opacity == other.opacity && format == other.format &&
-           width_scale == other.width_scale && taper == other.taper &&
-           model == other.model && directions == other.directions;
+           opacity == other.opacity && format == other.format && width_scale == other.width_scale &&
+           taper == other.taper && model == other.model && to_solid == other.to_solid &&
+           directions == other.directions;
 }
 
 Maps::~Maps()
@@ -167,7 +167,9 @@ void Maps::pass(const Program &program, const MapsAsked &asked, const Strands &s
     program.set("u_taper", asked.taper);
     // Every segment ends by itself: sums must be width times length, joints need not look closed.
     program.set("u_thin", 1e9f);
-    for (const tsu_hair_shadow_plan &plan : plans_) {
+    program.set("u_to_solid", asked.to_solid);
+    for (std::size_t i = 0; i < plans_.size(); i++) {
+        const tsu_hair_shadow_plan &plan = plans_[i];
         const GLsizei size = GLsizei(plan.size);
         gl_->Viewport(GLint(plan.record[36]), GLint(plan.record[37]), size, size);
         // A ribbon that reaches past its tile belongs to no other light.
@@ -175,6 +177,7 @@ void Maps::pass(const Program &program, const MapsAsked &asked, const Strands &s
         program.set("u_half_size", 0.5f * float(size), 0.5f * float(size));
         program.set("u_pixel_scale", glm::length(glm::vec3(asked.model[0])) / plan.texel);
         program.set("u_view_projection", glm::make_mat4(plan.to_light));
+        program.set("u_to_light", asked.directions[i]);
         gl_->Uniform4fv(gl_->GetUniformLocation(program.id(), "u_record"),
                         TSU_HAIR_SHADOW_RECORD_VEC4, plan.record);
         strands.draw();

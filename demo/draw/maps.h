@@ -33,6 +33,7 @@ struct MapsAsked {
     float width_scale = 1.0f;
     float taper = 0.1f;
     glm::mat4 model{1.0f};                // groom to world
+    glm::mat4 to_solid{0.0f};             // world to where the head is the unit sphere; 0: no head
     std::vector<glm::vec3> directions;    // towards the lights, world; at most maps_most
 
     bool operator==(const MapsAsked &other) const;

@@ -111,7 +111,7 @@ class Renderer
     Renderer() = default;
     Expected<bool> build();
     void shadows(const Frame &frame);
-    void sweep(const std::vector<glm::vec3> &directions, GLuint texture, float sign);
+    void sweep(const std::vector<glm::vec3> &directions, GLuint texture, bool beyond);
     void map_shadows(const Frame &frame);
     enum class Which { lights, sky, both };
     void lights(const Program &program, const Frame &frame, Which which) const;
@@ -133,6 +133,7 @@ class Renderer
     Solid solid_;
     Grid grid_;
     float grid_scale_ = 0.0f;     // width scale that the grid was filled with; 0: not filled
+    bool grid_head_ = false;      // and whether with the head
     std::vector<glm::vec3> swept_; // light directions in the groom's space of the shadow texture
     bool swept_beyond_ = false;
     GLuint fibres_ = 0, beyond_ = 0;

@@ -38,15 +38,16 @@ float opacity(const Frame &frame)
 
 } // namespace
 
-// Sweeps towards all lights, or away from them with sign -1, as one texture.
-void Renderer::sweep(const std::vector<glm::vec3> &directions, GLuint texture, float sign)
+// Sweeps towards all lights, or beyond, away from them, as one texture.
+void Renderer::sweep(const std::vector<glm::vec3> &directions, GLuint texture, bool beyond)
 {
     const glm::ivec3 size = grid_.size();
     const std::size_t cells = grid_.density().size();
     const std::size_t slabs = (directions.size() + 3) / 4;
     std::vector<float> texels(cells * slabs * 4, 0.0f);
     for (std::size_t i = 0; i < directions.size(); i++) {
-        const std::vector<float> fibres = grid_.sweep(sign * directions[i]);
+        const std::vector<float> fibres =
+            beyond ? grid_.beyond(directions[i]) : grid_.sweep(directions[i]);
         float *slab = texels.data() + (i / 4) * cells * 4 + i % 4;
         for (std::size_t c = 0; c < cells; c++) {
             slab[4 * c] = std::min(fibres[c], 1000.0f);
@@ -72,9 +73,10 @@ void Renderer::shadows(const Frame &frame)
     if (frame.shadow == Shadow::none) {
         return;
     }
-    if (grid_scale_ != frame.width_scale) {
-        grid_.fill(groom_, solid_, frame.width_scale);
+    if (grid_scale_ != frame.width_scale || grid_head_ != frame.head) {
+        grid_.fill(groom_, solid_, !frame.head, frame.width_scale);
         grid_scale_ = frame.width_scale;
+        grid_head_ = frame.head;
         swept_.clear();
     }
     const glm::mat3 back = glm::transpose(glm::mat3(frame.model));
@@ -84,10 +86,10 @@ void Renderer::shadows(const Frame &frame)
     }
     const bool beyond = shading_->beyond();
     if (directions != swept_) {
-        sweep(directions, fibres_, 1.0f);
+        sweep(directions, fibres_, false);
     }
     if (beyond && (directions != swept_ || !swept_beyond_)) {
-        sweep(directions, beyond_, -1.0f);
+        sweep(directions, beyond_, true);
     }
     swept_beyond_ = beyond && !directions.empty();
     swept_ = directions;
@@ -110,6 +112,7 @@ void Renderer::map_shadows(const Frame &frame)
     asked.width_scale = frame.width_scale;
     asked.taper = frame.taper;
     asked.model = frame.model;
+    asked.to_solid = frame.head ? to_solid(frame) : glm::mat4(0.0f);
     for (const Light &light : frame.lights) {
         if (int(asked.directions.size()) < maps_most) {
             asked.directions.push_back(light.direction);
@@ -173,14 +176,16 @@ void Renderer::lights(const Program &program, const Frame &frame, Which which) c
     maps_->bind(program, 5, mapped_ && which == Which::lights);
 }
 
-// World to the space where the head is the unit sphere; all 0 without one.
+// The head is drawn so much smaller: head.vert.glsl.
+constexpr float inset = 0.0015f;
+
+// World to the space where the head is the unit sphere; all 0 without one, and without shadow.
 glm::mat4 Renderer::to_solid(const Frame &frame) const
 {
-    if (solid_.semi_axes == glm::vec3(0.0f)) {
+    if (solid_.semi_axes == glm::vec3(0.0f) || frame.shadow == Shadow::none) {
         return glm::mat4(0.0f);
     }
-    // Well inside the surface, or hair that lies on it would be in its shadow, as in the grid.
-    const glm::vec3 axes = 0.92f * solid_.semi_axes;
+    const glm::vec3 axes = solid_.semi_axes - inset;
     return glm::scale(glm::mat4(1.0f), 1.0f / axes) *
            glm::translate(glm::mat4(1.0f), -solid_.centre) * glm::inverse(frame.model);
 }

@@ -121,14 +121,14 @@ Expected<Shading::Programs> Shading::build(const tsu_model *model, const std::st
     const auto file = [&](const char *which) { return source(folders().demo, which); };
     Expected<Program> strand =
         link(gl_, {file("strand.vert.glsl")},
-             {*text, *macros, file("coverage.glsl"), file("light.glsl"), file("shadow.glsl"),
-              file("lit.glsl"), file("strand.frag.glsl")});
+             {*text, *macros, file("coverage.glsl"), file("light.glsl"), file("solid.glsl"),
+              file("shadow.glsl"), file("lit.glsl"), file("strand.frag.glsl")});
     if (!strand) {
         return Error{strand.error()};
     }
     Expected<Program> sky = link(gl_, {file("screen.vert.glsl")},
-                                 {*text, *macros, file("light.glsl"), file("shadow.glsl"),
-                                  file("lit.glsl"), file("sky.frag.glsl")});
+                                 {*text, *macros, file("light.glsl"), file("solid.glsl"),
+                                  file("shadow.glsl"), file("lit.glsl"), file("sky.frag.glsl")});
     if (!sky) {
         return Error{sky.error()};
     }
@@ -154,9 +154,9 @@ Expected<Shading::MapPrograms> Shading::build_maps(const tsu_model *technique)
     if (!front) {
         return Error{front.error()};
     }
-    Expected<Program> layers = link(gl_, {file("strand.vert.glsl")},
-                                    {*text, define, file("coverage.glsl"),
-                                     file("layers.frag.glsl")});
+    Expected<Program> layers =
+        link(gl_, {file("strand.vert.glsl")},
+             {*text, define, file("coverage.glsl"), file("solid.glsl"), file("layers.frag.glsl")});
     if (!layers) {
         return Error{layers.error()};
     }

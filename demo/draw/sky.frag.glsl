@@ -40,9 +40,26 @@ vec3 sky_light(vec3 place, vec3 position, vec3 l, out tsu_hair_shadow shadow)
     }
     vec4 front = fibres(place, nearest / 4);
     vec4 behind = beyond(place, nearest / 4);
-    shadow = tsu_hair_shadow_count(front[nearest % 4], behind[nearest % 4]);
+    shadow = past_head(tsu_hair_shadow_count(front[nearest % 4], behind[nearest % 4]),
+                       blocked(position, u_light_direction[nearest]));
     return u_light_color[nearest];
 }
+
+#ifndef SCATTERS
+// The sky's irradiances, as the hair and the head let them through.
+vec3 let_through(vec3 place, vec3 position)
+{
+    vec3 sum = vec3(0.0);
+    for (int k = u_groups_begin; k < u_groups_end; k++) {
+        vec4 count = fibres(place, k);
+        for (int i = 0; i < 4; i++) {
+            sum += exp(-u_loss * count[i]) * u_light_color[4 * k + i] *
+                   (1.0 - blocked(position, u_light_direction[4 * k + i]));
+        }
+    }
+    return sum;
+}
+#endif
 
 // Integral of the model over all light directions; of its product with the sky's irradiances when
 // it takes the shadow itself. Inclinations follow a Cauchy density around the
@@ -93,15 +110,11 @@ vec3 surrounded(vec3 t, vec3 v, vec3 sigma_a, vec3 place, vec3 position)
         sum += weight * HAIR(t, l, v, sigma_a, shadow);
     }
 #ifndef SCATTERS
-    vec3 let_through = vec3(0.0), all = vec3(1e-20);
-    for (int k = u_groups_begin; k < u_groups_end; k++) {
-        vec4 count = fibres(place, k);
-        for (int i = 0; i < 4; i++) {
-            let_through += exp(-u_loss * count[i]) * u_light_color[4 * k + i];
-            all += u_light_color[4 * k + i];
-        }
+    vec3 all = vec3(1e-20);
+    for (int i = 4 * u_groups_begin; i < 4 * u_groups_end; i++) {
+        all += u_light_color[i];
     }
-    sum *= let_through / all;
+    sum *= let_through(place, position) / all;
 #endif
     return sum;
 }
@@ -135,14 +148,7 @@ void main()
     // Each light stands for 4 pi / u_sky_lights of the sphere.
     o_color = vec4(scattered * u_sky_lights / 12.5663706, 1.0);
 #else
-    vec3 irradiance = vec3(0.0);
-    for (int k = u_groups_begin; k < u_groups_end; k++) {
-        vec4 count = fibres(place_in_grid, k);
-        for (int i = 0; i < 4; i++) {
-            irradiance += exp(-u_loss * count[i]) * u_light_color[4 * k + i];
-        }
-    }
-    o_color = vec4(irradiance / 12.5663706 * scattered, 1.0);
+    o_color = vec4(let_through(place_in_grid, here) / 12.5663706 * scattered, 1.0);
 #endif
 #endif
 }

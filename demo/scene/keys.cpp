@@ -95,7 +95,7 @@ std::vector<Key> make_keys()
         number_key("groom", "variation", &Scene::variation, 0.0, 1.0,
                    "deviation of ln(sigma_a) from strand to strand"),
         word_key("groom", "head", &Scene::head, {"auto", "none"},
-                 "draw the head that hair was grown on"),
+                 "draw the head that hair was grown on; none: hair fills its place"),
         hair_key("seed", 0, 4294967295.0, true,
                  "another seed, another head of hair, leaf or tree"),
         hair_key("strands", 100, 100000, true, "number of strands"),

@@ -4,6 +4,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 
+#include "draw/grid.h"
 #include "scene/build.h"
 #include "scene/gallery.h"
 #include "scene/picture.h"
@@ -250,6 +251,65 @@ void strand_has_its_area(void **)
     std::printf("a strand's area: off by at most %.3f %%\n", 100.0 * worst);
 }
 
+// Sheets of strands on both sides of a ball: the light's way ends in it.
+void grid_ends_at_the_head(void **)
+{
+    constexpr int sheets = 10, across = 1000;
+    groom::Groom hair;
+    hair.first = {0};
+    hair.constant_radius = 0.0001f;
+    for (int sheet = -sheets; sheet <= sheets; sheet++) {
+        const float z = 0.01f * (float(sheet) + (sheet > 0 ? 9.5f : -9.5f));
+        for (int i = 0; i < across && sheet != 0; i++) {
+            const float x = 0.4f * ((float(i) + 0.5f) / across - 0.5f);
+            hair.points.insert(hair.points.end(), {{x, -0.2f, z}, {x, 0.2f, z}});
+            hair.first.push_back(std::uint32_t(hair.points.size()));
+        }
+    }
+    draw::Grid grid;
+    grid.fill(hair, {glm::vec3(0.0f), glm::vec3(0.08f)}, false, 1.0f);
+    const glm::vec3 light(0.0f, 0.0f, 1.0f);
+    const std::vector<float> front = grid.sweep(light), behind = grid.beyond(light);
+    const auto at = [&](const std::vector<float> &values, float x, float z) {
+        const glm::ivec3 c((glm::vec3(x, 0.0f, z) - grid.corner()) / grid.cell());
+        return double(values[(std::size_t(c.z) * std::size_t(grid.size().y) + std::size_t(c.y)) *
+                                 std::size_t(grid.size().x) +
+                             std::size_t(c.x)]);
+    };
+    // A sheet is 0.0002 / 0.0004 fibres.
+    const double each = 0.5;
+    for (float z : {0.0995f, 0.1501f, 0.1999f}) {
+        const double here = std::round((z - 0.1f) / 0.01f) + 0.0;
+        std::printf("grid: at %.3f behind %.2f before the ball, %.2f beside it, front %.2f\n",
+                    double(z), at(behind, 0.0f, z), at(behind, 0.15f, z), at(front, 0.0f, z));
+        assert_true(std::abs(at(behind, 0.0f, z) - each * here) < 0.7 * each);
+        assert_true(std::abs(at(behind, 0.15f, z) - each * (here + sheets)) < 0.7 * each);
+        assert_true(std::abs(at(front, 0.0f, z) - each * (sheets - here)) < 0.7 * each);
+    }
+    grid.fill(hair, {glm::vec3(0.0f), glm::vec3(0.08f)}, true, 1.0f);
+    assert_true(at(grid.beyond(light), 0.0f, 0.1501f) > 100.0);
+}
+
+// Light that reaches the head is lost to white hair, whether hair is counted in the grid or in
+// maps.
+void head_takes_light(void **)
+{
+    const std::vector<std::string> words = {"groom=straight", "color=white", "dome=0",
+                                            "background=0,0,0", "model=plane_parallel_hair"};
+    const auto hair = [&](const char *shadow, const char *variant) {
+        std::vector<std::string> all = words;
+        all.insert(all.end(), {shadow, variant});
+        return drawn(all).numbers.hair;
+    };
+    const double grid = hair("shadow=grid", "variant=finite");
+    const double maps = hair("shadow=deep_opacity", "variant=finite");
+    const double thick = hair("shadow=grid", "variant=plain");
+    std::printf("white hair on a head: grid %.4f, maps %.4f; on thick hair %.4f\n", grid, maps,
+                thick);
+    assert_true(std::abs(maps / grid - 1.0) < 0.08);
+    assert_true(grid < 0.9 * thick);
+}
+
 } // namespace
 
 int main()
@@ -268,6 +328,8 @@ int main()
         cmocka_unit_test(strands_reach_the_picture),
         cmocka_unit_test(keeps_energy_when_supersampled),
         cmocka_unit_test(keeps_energy_when_models_change),
+        cmocka_unit_test(grid_ends_at_the_head),
+        cmocka_unit_test(head_takes_light),
     };
     const int failed = cmocka_run_group_tests_name("draw", tests, nullptr, nullptr);
     studio.reset();

@@ -3,7 +3,8 @@
 
 Hair without absorption sends back all that falls on it, so the head vanishes: its luminance is 1.
 Holds plane_parallel_hair to 3 %, as its header promises; prints the closed form, the method as
-published and the fibre alone, which have no such bound."""
+published and the fibre alone, which have no such bound. Hair fills the place of the head, as it
+would be dark otherwise."""
 import re
 import subprocess
 import sys

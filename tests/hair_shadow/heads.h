@@ -160,7 +160,7 @@ inline void say(const char *groom, int light, const char *what, const tsu_hair_s
 // The grid of the demo, for comparison.
 inline Answers by_grid(const Head &head, const draw::Grid &grid, const glm::vec3 &light)
 {
-    const std::vector<float> fibres = grid.sweep(light), behind = grid.sweep(-light);
+    const std::vector<float> fibres = grid.sweep(light), behind = grid.beyond(light);
     Answers answers;
     const auto at = [&](const std::vector<float> &values, const glm::vec3 &p) {
         const glm::vec3 q = glm::clamp((p - grid.corner()) / grid.cell() - 0.5f, glm::vec3(0.0f),

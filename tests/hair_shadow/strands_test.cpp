@@ -241,7 +241,7 @@ void say_others(const Bound &bound, int l, const Head &head, const glm::vec3 &li
     const tsu_hair_shadow_plan four = make(head, light, tsu_deep_opacity(), 0, 0.5f, 4.0f);
     say(bound.name, l, "deep_opacity, 4 layers", four, errors(in_memory(head, four), traced));
     draw::Grid grid;
-    grid.fill(head.groom, {}, width_scale);
+    grid.fill(head.groom, {}, false, width_scale);
     say(bound.name, l, "grid of the demo", fixed, errors(by_grid(head, grid, light), traced));
 }
 

@@ -37,6 +37,14 @@
 // Models that take `front`, `behind` and `direct` as extra inputs (model.h) get them as they are
 // and are not multiplied by anything; the others are multiplied by `transmittance`.
 //
+// Solids. A head that hair grows on, or anything opaque in it, ends what is `behind`: light that
+// gets there is lost to the hair (but for what the solid reflects, which no model takes up), and
+// counted through the head it would come back as from thick hair: a third too much of white
+// straight hair. Counts of the host's own stop at the solid. For maps, leave hair in a solid's
+// shadow out of the pass "layers": test against a depth buffer of the solids, or discard. It gets
+// no direct light in any case. That shadow is the host's: scale `direct` and `transmittance`, add
+// many to `front`.
+//
 // Filter. A map holds the fibres that cross each texel, by the share of it that they cover, so a
 // read is never of one fibre. Four texels around the point are read one by one, each with its own
 // first fibre and layers, and their results, not their texels, are mixed linearly: a mean of
