@@ -128,7 +128,7 @@ int slab_corners(struct sweep *sweep, const tsu_model *model, uint32_t function,
         row[SLAB_THETA] = thetas[i / 9] * degree;
         answer(sweep, model, function, table, row, out);
         // A white slab may gain what the test of white slabs allows.
-        const double most = row[SLAB_SIGMA] > 0.0 ? 1.0 : 1.015;
+        const double most = row[SLAB_SIGMA] > 0.0 ? 1.0 : 1.016;
         int good = out[SLAB_R] >= 0.0 && out[SLAB_T] >= 0.0 && out[SLAB_R] <= 1.0 &&
                    out[SLAB_T] <= 1.0 && out[SLAB_R] + out[SLAB_T] <= most;
         if (row[SLAB_TAU] == 0.0)
