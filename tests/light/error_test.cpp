@@ -269,6 +269,9 @@ int main()
         tsu_model_info info;
         tsu_model_info_init(&info);
         tsu_model_describe(model, &info);
+        if (info.flags & TSU_MODEL_SURFACE) {
+            continue; // the directions are chosen for fibres
+        }
         rig_model(model);
         const int lights = everything ? 40 : 20;
         const Sum rects = areas(false, lights, 0.0, 1.0, 13);
