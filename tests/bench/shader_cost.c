@@ -2,6 +2,7 @@
 // Static cost of fragment shaders on AMD hardware, without that hardware.
 //
 //   shader_cost [--family NAME] FILE.spv...
+//   shader_cost [--family NAME] --driver
 //
 // Compiles each SPIR-V fragment shader in a pipeline and prints the driver's own statistics as CSV,
 // `file,target,statistic,value`:
@@ -12,6 +13,9 @@
 //   vgprs, sgprs         vector registers, rounded to the allocation step; scalar registers needed
 //   code_size            bytes
 //   vmem_clauses         groups of texture or buffer fetches
+//   fetches              instructions that sample, gather or load from an image; a loop's count
+//                        once, compilers unroll loops as short as the models'. Mesa's RADV alone
+//                        tells it
 //
 // The last stage is written to RGBA16F targets without blending. The estimates hold for ratios and
 // regressions, not for milliseconds.
@@ -19,6 +23,8 @@
 // --family NAME  compile for this chip (navi21, navi10, gfx1100, vega10, ...) with Mesa's RADV and
 //                no device at all; target is NAME. Without it, the first Vulkan device is asked and
 //                target is its name.
+//
+// --driver       print the driver's name and version and nothing else, as "radv Mesa 22.3.6".
 //
 // Exit: 0 when every file is printed, 1 after a sentence on stderr, 2 on wrong usage.
 #include "cost_pipeline.h"
@@ -149,6 +155,42 @@ static uint32_t find_fragment(VkDevice device, VkPipeline pipeline)
     return 0;
 }
 
+// Lines of `text` that fetch from an image.
+static unsigned long long count_fetches(const char *text)
+{
+    static const char *const words[] = {"image_sample", "image_gather", "image_load"};
+    unsigned long long count = 0;
+    for (size_t w = 0; w < sizeof words / sizeof *words; w++) {
+        for (const char *at = strstr(text, words[w]); at; at = strstr(at + 1, words[w])) {
+            count++;
+        }
+    }
+    return count;
+}
+
+// The driver's last form of the shader before machine code, as text; NULL when it shows none.
+static char *read_listing(VkDevice device, const VkPipelineExecutableInfoKHR *info)
+{
+    VkPipelineExecutableInternalRepresentationKHR forms[16];
+    uint32_t count = 16;
+    const PFN_vkGetPipelineExecutableInternalRepresentationsKHR get =
+        (PFN_vkGetPipelineExecutableInternalRepresentationsKHR)vkGetDeviceProcAddr(
+            device, "vkGetPipelineExecutableInternalRepresentationsKHR");
+    for (uint32_t i = 0; i < count; i++) {
+        forms[i] = (VkPipelineExecutableInternalRepresentationKHR){
+            .sType = VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_INTERNAL_REPRESENTATION_KHR};
+    }
+    check(get(device, info, &count, forms), "listing the shader's forms");
+    char *text = NULL;
+    for (uint32_t i = 0; i < count; i++) {
+        if (forms[i].isText && strcmp(forms[i].name, "ACO IR") == 0) {
+            text = forms[i].pData = need(calloc(forms[i].dataSize + 1, 1));
+        }
+    }
+    check(get(device, info, &count, forms), "reading the shader's forms");
+    return text;
+}
+
 static void print_statistics(VkDevice device, VkPipeline pipeline, const char *path,
                              const char *target)
 {
@@ -177,14 +219,30 @@ static void print_statistics(VkDevice device, VkPipeline pipeline, const char *p
         printf("%s,%s,%s,%llu\n", path, target, statistics[s].column,
                (unsigned long long)values[i].value.u64);
     }
+    char *const listing = read_listing(device, &info);
+    if (listing) {
+        printf("%s,%s,fetches,%llu\n", path, target, count_fetches(listing));
+        free(listing);
+    }
+}
+
+static void print_driver(VkPhysicalDevice device)
+{
+    VkPhysicalDeviceDriverProperties driver = {
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
+    VkPhysicalDeviceProperties2 properties = {
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, .pNext = &driver};
+    vkGetPhysicalDeviceProperties2(device, &properties);
+    printf("%s %s\n", driver.driverName, driver.driverInfo);
 }
 
 int main(int argc, char **argv)
 {
     const char *family = argc > 2 && strcmp(argv[1], "--family") == 0 ? argv[2] : NULL;
     const int first = family ? 3 : 1;
-    if (first >= argc || argv[first][0] == '-') {
-        fputs("usage: shader_cost [--family NAME] FILE.spv...\n", stderr);
+    const int ask_driver = first < argc && strcmp(argv[first], "--driver") == 0;
+    if (first >= argc || (argv[first][0] == '-' && !ask_driver) || (ask_driver && first + 1 < argc)) {
+        fputs("usage: shader_cost [--family NAME] (FILE.spv... | --driver)\n", stderr);
         return 2;
     }
     if (family) {
@@ -197,7 +255,12 @@ int main(int argc, char **argv)
     VkInstance instance;
     char target[VK_MAX_PHYSICAL_DEVICE_NAME_SIZE];
     check(vkCreateInstance(&info, NULL, &instance), "making a Vulkan instance");
-    const VkDevice device = make_device(choose_device(instance, family, target, sizeof target));
+    const VkPhysicalDevice physical = choose_device(instance, family, target, sizeof target);
+    if (ask_driver) {
+        print_driver(physical);
+        return 0;
+    }
+    const VkDevice device = make_device(physical);
     puts("file,target,statistic,value");
     for (int i = first; i < argc; i++) {
         static struct fragment_interface fragment;

@@ -20,6 +20,7 @@ import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / 'bench'))
 import cost  # noqa: E402  (the bench's own reader of static cost)
+import tiers  # noqa: E402
 
 TSUYA, SHADER_COST = sys.argv[1], sys.argv[2]
 LONG = 10 if os.environ.get('TSUYA_LONG') else 1
@@ -165,14 +166,9 @@ def static_cost():
             shaders.append((f'tsuya {model}', source))
         for model in uniform:
             # One pigment and thickness: numbers in the host's uniforms, no fetch.
-            text = (folder / f'{model}_.frag').read_text(encoding='utf-8')
-            text = text.replace(f'tsu_{model}_eval(material, n, l, v, pigment, thickness)',
-                                f'tsu_{model}_uniform(material, n, l, v, k[2 * row], k[2 * row + 1])')
-            text = text.replace('void main()\n{', 'layout(std140, set = 0, binding = 7) uniform host '
-                                '{ mat3x4 k[6]; };\nvoid main()\n{\n'
-                                'int row = tsu_leaf_body_set(n, l, v);')
             source = folder / f'{model}_uniform.frag'
-            source.write_text(text, encoding='utf-8')
+            source.write_text(tiers.source(TSUYA, tiers.TIERS[f'{model}_uniform']),
+                              encoding='utf-8')
             shaders.append((f'tsuya {model}, uniform', source))
         rows = cost.measure(SHADER_COST, 'navi21', shaders, folder)
     cost.print_table(rows)
