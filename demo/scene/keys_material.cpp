@@ -1,4 +1,5 @@
 #include "scene/keys.h"
+#include "scene/tiers.h"
 
 #include <tsuya/hair_color.h>
 #include <tsuya/model.h>
@@ -69,6 +70,33 @@ std::vector<std::string> variant_names()
     return names;
 }
 
+// A shorthand for others: it has no value of its own.
+Key tier_key()
+{
+    return {"tier", "material", tier_names(false) + "; of leaves: " + tier_names(true),
+            "how much to spend: sets model, variant and shadow (deep_opacity; none when unshadowed), "
+            "or a leaf's\n      model, variant and, for one pigment and thickness, leaf.texels=0 "
+            "and tree.variation=0",
+            [](Scene &scene, const std::string &text) -> std::string {
+                const Tier *const tier = find_tier(text);
+                if (!tier) {
+                    return "is \"" + text + "\"";
+                }
+                for (const std::string &word : tier->words) {
+                    const std::size_t equals = word.find('=');
+                    Key key;
+                    const std::string wrong = find_key(word.substr(0, equals), key)
+                                                  ? key.set(scene, word.substr(equals + 1))
+                                                  : "sets " + word;
+                    if (!wrong.empty()) {
+                        return wrong;
+                    }
+                }
+                return "";
+            },
+            [](const Scene &) { return ""; }};
+}
+
 // One key for each parameter of any model, but colour, which has keys of its own.
 void add_parameters(std::vector<Key> &keys)
 {
@@ -124,6 +152,7 @@ void add_parameters(std::vector<Key> &keys)
 void add_material_keys(std::vector<Key> &keys)
 {
     const std::vector<Key> fixed = {
+        tier_key(),
         word_key("material", "model", &Scene::model, model_names(), "shading model"),
         word_key("material", "variant", &Scene::variant, variant_names(),
                  "entry point of the model; auto: finite where there is one, else plain"),

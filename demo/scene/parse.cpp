@@ -1,5 +1,6 @@
 #include "scene/keys.h"
 #include "scene/scene.h"
+#include "scene/tiers.h"
 
 #include <algorithm>
 #include <fstream>
@@ -74,6 +75,14 @@ class Reader
         if (!wrong.empty()) {
             return name + " " + wrong + " but must be " + must_be(key.range);
         }
+        tier_ = name == "tier" ? find_tier(value) : tier_;
+        for (const std::string &word : tier_ ? tier_->words : std::vector<std::string>()) {
+            const std::string own = word.substr(0, word.find('='));
+            if (seen_.count(own)) {
+                return own + " and tier both are given, but tier=" + tier_->name + " sets " + word +
+                       "; keep one";
+            }
+        }
         if (gives_color(name)) {
             if (colored_ && before != scene.color_by) {
                 return std::string(color_name(before)) + " and " + color_name(scene.color_by) +
@@ -89,6 +98,17 @@ class Reader
         return "";
     }
 
+    // Returns: what is wrong with all lines together.
+    std::string finish() const
+    {
+        if (tier_ && tier_->leaf != (scene.kind != "hair")) {
+            return "tier=" + tier_->name + " shades " + (tier_->leaf ? "leaves" : "hair") +
+                   " but kind is " + scene.kind + "; its tiers are " +
+                   tier_names(scene.kind != "hair");
+        }
+        return "";
+    }
+
     Scene scene;
 
   private:
@@ -98,6 +118,7 @@ class Reader
     }
 
     std::set<std::string> seen_;
+    const Tier *tier_ = nullptr;
     bool colored_ = false;
     LeafBy by_ = LeafBy::nothing;
 };
@@ -124,7 +145,8 @@ Expected<Scene> parse(const std::string &text, const std::string &name, const Sc
             return Error{name + ", line " + std::to_string(number) + ": " + wrong};
         }
     }
-    return Expected<Scene>(std::move(reader.scene));
+    const std::string wrong = reader.finish();
+    return wrong.empty() ? Expected<Scene>(std::move(reader.scene)) : Error{name + ": " + wrong};
 }
 
 Expected<Scene> override(const Scene &base, const std::vector<std::string> &words)
@@ -136,7 +158,8 @@ Expected<Scene> override(const Scene &base, const std::vector<std::string> &word
             return Error{"argument " + std::to_string(i + 1) + ": " + wrong};
         }
     }
-    return Expected<Scene>(std::move(reader.scene));
+    const std::string wrong = reader.finish();
+    return wrong.empty() ? Expected<Scene>(std::move(reader.scene)) : Error{wrong};
 }
 
 Expected<Scene> read(const std::string &path, const Scene &base)

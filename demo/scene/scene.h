@@ -1,8 +1,9 @@
 // Scenes: what `tsuya render` draws, as text.
 //
 // A scene file is UTF-8 text, one key=value a line, spaces around both allowed, everything after a
-// # a comment. Each key at most once. What is absent takes its default; grammar() prints all keys
-// with range, default and meaning. The renderer, the reference and the chooser read the same files.
+// # a comment. Each key at most once, and tier= without the keys that it sets (tiers.h). What is
+// absent takes its default; grammar() prints all keys with range, default and meaning. The
+// renderer, the reference and the chooser read the same files.
 //
 // Angles in files are degrees and carry _deg; lengths are metres; colours linear Rec. 709; the
 // world is +y up, +z out of the face, +x to the person's left.
@@ -111,8 +112,9 @@ struct Scene {
 // Read a scene file's text over `base`.
 //
 // name  of the file, for messages
-// Errors: no "=", an unknown key, a key twice, two keys that both give the colour, a value that is
-//         no number, not finite or out of range; each names file, line, key and range.
+// Errors: no "=", an unknown key, a key twice, two keys that both give the colour, a tier and a key
+//         that it sets, a tier of another kind, a value that is no number, not finite or out of
+//         range; each names file, line, key and range.
 Expected<Scene> parse(const std::string &text, const std::string &name, const Scene &base = {});
 
 // Set keys from words of the form key=value over `base`, as on a command line. A colour replaces

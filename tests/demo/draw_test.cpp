@@ -8,11 +8,14 @@
 #include "scene/build.h"
 #include "scene/gallery.h"
 #include "scene/picture.h"
+#include "scene/tiers.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -90,6 +93,16 @@ void refuses_bad_scenes(void **)
     refuse("width_scale=0", {"width_scale"});
     refuse("background=1,2,nan", {"background", "not finite"});
     refuse("shadow=soft", {"shadow", "grid"});
+    refuse("tier=fast", {"line 1", "tier", "fast", "plane_parallel", "leaf_body_uniform"});
+    refuse("tier=", {"tier", "exact"});
+    refuse("tier=zinke\nmodel=marschner", {"line 2", "tier=zinke", "model=dual_scattering"});
+    refuse("model=dual_scattering\n\ntier=exact", {"line 3", "model and tier", "keep one"});
+    refuse("variant=plain\ntier=exact", {"line 2", "variant and tier"});
+    refuse("tier=unshadowed\nshadow=grid", {"line 2", "shadow and tier", "shadow=none"});
+    refuse("tier=exact\ntier=zinke", {"line 2", "tier", "twice"});
+    refuse("tier=leaf", {"tier=leaf", "kind is hair", "unshadowed"});
+    refuse("tier=zinke\nkind=tree", {"tier=zinke", "kind is tree", "leaf_body_uniform"});
+    refuse("kind=leaf\nleaf.texels=64\ntier=leaf_uniform", {"leaf.texels and tier"});
     assert_false(bool(scene::override({}, {"dome=1", "dome=2"})));
     assert_false(bool(scene::read("/no/such/file.scene")));
     assert_false(bool(scene::find("no-such-scene")));
@@ -121,6 +134,41 @@ void reads_what_it_writes(void **)
     const groom::Expected<scene::Scene> dyed = scene::override(*first, {"color=red"});
     assert_true(bool(dyed) && dyed->color_by == scene::ColorBy::preset);
     assert_false(bool(scene::material(*scene::override({}, {"albedo=0.01,0.5,0.5"}))));
+}
+
+// A tier is the keys that it stands for, in any order, over any other.
+void tiers_are_keys(void **)
+{
+    const std::map<std::string, std::string> keys = {
+        {"unshadowed", "model=kajiya_kay shadow=none"},
+        {"kajiya_kay", "model=kajiya_kay shadow=deep_opacity"},
+        {"marschner", "shadow=deep_opacity"},
+        {"zinke", "model=dual_scattering variant=zinke shadow=deep_opacity"},
+        {"exact", "model=dual_scattering shadow=deep_opacity"},
+        {"plane_parallel", "model=plane_parallel_hair shadow=deep_opacity"},
+        {"leaf_coarse", "kind=leaf model=leaf_coarse"},
+        {"leaf_body", "kind=leaf model=leaf_body"},
+        {"leaf", "kind=leaf model=leaf"},
+        {"leaf_body_uniform", "kind=leaf leaf.texels=0 tree.variation=0 model=leaf_body"},
+        {"leaf_uniform", "kind=leaf leaf.texels=0 tree.variation=0 model=leaf"},
+    };
+    assert_int_equal(keys.size(), scene::tiers().size());
+    for (const scene::Tier &tier : scene::tiers()) {
+        const std::string kind = tier.leaf ? "kind=leaf" : "kind=hair";
+        const auto first = scene::parse("tier=" + tier.name + "\n" + kind, "a");
+        const auto before = scene::override(
+            {}, {"model=marschner", "variant=zinke", "shadow=opacity_shadow", kind});
+        assert_true(bool(first) && bool(before));
+        std::string written = scene::write(*first);
+        std::replace(written.begin(), written.end(), '\n', ' ');
+        assert_string_equal(written.c_str(), (keys.at(tier.name) + " ").c_str());
+        assert_true(*scene::parse(scene::write(*first), "b") == *first);
+        scene::Scene over = *scene::override(*before, {"tier=" + tier.name});
+        over.shadow = tier.leaf ? first->shadow : over.shadow; // leaves do not read it
+        assert_true(over == *first);
+        assert_true(scene::grammar().find(tier.name) != std::string::npos);
+        assert_true(tier.leaf || bool(scene::material(*first)));
+    }
 }
 
 void gallery_scenes_parse(void **)
@@ -323,6 +371,7 @@ int main()
     const CMUnitTest tests[] = {
         cmocka_unit_test(refuses_bad_scenes),
         cmocka_unit_test(reads_what_it_writes),
+        cmocka_unit_test(tiers_are_keys),
         cmocka_unit_test(gallery_scenes_parse),
         cmocka_unit_test(strand_has_its_area),
         cmocka_unit_test(strands_reach_the_picture),
