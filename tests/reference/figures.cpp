@@ -13,9 +13,9 @@ namespace
 constexpr double hair_least = 0.3, floor_share = 0.1;
 constexpr int around = 2; // pixels to each side that b(r) is the mean over
 
-struct Values {
-    double mean = 0.0, mean_error = 0.0, rel_mse = 0.0;
-};
+// Mean luminance of the reference, error of the mean, rel MSE; the last two of each channel.
+enum { mean, mean_error, rel_mse, channel_error, channel_mse = channel_error + 3, value_count = 9 };
+using Values = std::array<double, value_count>;
 
 double luminance(const float *p)
 {
@@ -33,12 +33,12 @@ Weights weights(const Film &film, const draw::Picture &shares)
                y<height &&double(shares.pixels[std::size_t(4 * (y * width + x) + 3)])> hair_least;
     };
     Weights result(std::size_t(width) * std::size_t(height), {0.0, 0.0, 0.0});
-    std::array<double, 3> mean{};
+    std::array<double, 3> middle{};
     int pixels = 0;
     for (int y = 0; y < height; y++) {
         for (int x = 0; x < width; x++) {
             for (int c = 0; c < 3 && hair(x, y); c++) {
-                mean[std::size_t(c)] += film.at(x, y).mean(c);
+                middle[std::size_t(c)] += film.at(x, y).mean(c);
             }
             pixels += hair(x, y);
         }
@@ -56,7 +56,7 @@ Weights weights(const Film &film, const draw::Picture &shares)
                         }
                     }
                 }
-                const double least = floor_share * mean[std::size_t(c)] / pixels;
+                const double least = floor_share * middle[std::size_t(c)] / pixels;
                 const double blurred = sum / met;
                 result[std::size_t(y * width + x)][std::size_t(c)] =
                     1.0 / std::max(blurred * blurred + least * least, 1e-300) / (3.0 * pixels);
@@ -69,25 +69,35 @@ Weights weights(const Film &film, const draw::Picture &shares)
 std::vector<Values> values(const Film &film, const std::vector<draw::Picture> &pictures)
 {
     const Weights weight = weights(film, pictures[0]);
-    std::vector<Values> result(pictures.size());
-    double share = 0.0, traced = 0.0;
+    std::vector<Values> result(pictures.size(), Values{});
+    double share = 0.0;
+    std::array<double, 4> traced{}; // of R, G, B and luminance
     for (int i = 0; i < film.width() * film.height(); i++) {
         const Pixel &pixel = film.at(i % film.width(), i / film.width());
         const double w = double(pictures[0].pixels[std::size_t(4 * i + 3)]);
         share += w;
-        traced += w * pixel.mean(3);
+        for (int c = 0; c < 4; c++) {
+            traced[std::size_t(c)] += w * pixel.mean(c);
+        }
         for (std::size_t k = 0; k < pictures.size(); k++) {
             const float *const t = &pictures[k].pixels[std::size_t(4 * i)];
-            result[k].mean_error += w * luminance(t);
-            for (int c = 0; c < 3; c++) {
-                const double off = double(t[c]) - pixel.mean(c), se = pixel.standard_error(c);
-                result[k].rel_mse += weight[std::size_t(i)][std::size_t(c)] * (off * off - se * se);
+            result[k][mean_error] += w * luminance(t);
+            for (std::size_t c = 0; c < 3; c++) {
+                const double off = double(t[c]) - pixel.mean(int(c));
+                const double se = pixel.standard_error(int(c));
+                result[k][channel_error + c] += w * double(t[c]);
+                result[k][channel_mse + c] +=
+                    3.0 * weight[std::size_t(i)][c] * (off * off - se * se);
             }
         }
     }
     for (Values &v : result) {
-        v.mean = traced / share;
-        v.mean_error = v.mean_error / traced - 1.0;
+        v[mean] = traced[3] / share;
+        v[mean_error] = v[mean_error] / traced[3] - 1.0;
+        for (std::size_t c = 0; c < 3; c++) {
+            v[channel_error + c] = v[channel_error + c] / traced[c] - 1.0;
+            v[rel_mse] += v[channel_mse + c] / 3.0;
+        }
     }
     return result;
 }
@@ -147,19 +157,21 @@ std::vector<Figures> figures(const Batches &batches, const std::vector<draw::Pic
     }
     std::vector<Figures> result(pictures.size());
     for (std::size_t k = 0; k < pictures.size(); k++) {
-        const auto figure = [&](double Values::*field) {
+        std::array<Figure, value_count> f;
+        for (std::size_t i = 0; i < value_count; i++) {
             const double n = Batches::count;
-            double mean = 0.0, squares = 0.0;
+            double middle = 0.0, squares = 0.0;
             for (const std::vector<Values> &part : parts) {
-                mean += part[k].*field / n;
+                middle += part[k][i] / n;
             }
             for (const std::vector<Values> &part : parts) {
-                squares += (part[k].*field - mean) * (part[k].*field - mean);
+                squares += (part[k][i] - middle) * (part[k][i] - middle);
             }
-            return Figure{n * (all[k].*field) - (n - 1.0) * mean,
-                          std::sqrt(squares * (n - 1.0) / n)};
-        };
-        result[k] = {figure(&Values::mean), figure(&Values::mean_error), figure(&Values::rel_mse)};
+            f[i] = {n * all[k][i] - (n - 1.0) * middle, std::sqrt(squares * (n - 1.0) / n)};
+        }
+        result[k] = {f[mean], f[mean_error], f[rel_mse], {}, {}};
+        std::copy_n(&f[channel_error], 3, result[k].channel_error.begin());
+        std::copy_n(&f[channel_mse], 3, result[k].channel_mse.begin());
     }
     return result;
 }

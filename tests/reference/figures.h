@@ -23,6 +23,7 @@
 #include "reference/film.h"
 #include "reference/render.h"
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -38,6 +39,8 @@ struct Figures {
     Figure mean;       // luminance of the reference, weighed by w
     Figure mean_error; // share of it
     Figure rel_mse;
+    // Of each channel; the mean of their rel MSE is the picture's.
+    std::array<Figure, 3> channel_error, channel_mse;
 };
 
 // A reference in equal independent parts.
