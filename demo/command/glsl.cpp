@@ -11,7 +11,8 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace
+{
 
 using namespace tsuya::command;
 
@@ -21,7 +22,8 @@ Manual manual()
 {
     return {
         "glsl",
-        "MODEL[,MODEL...] --target TARGET [--variant fine] [--harness] [--array N]",
+        "MODEL[,MODEL...] --target TARGET [--drop LOBE,...] [--variant fine] [--harness] [--array "
+        "N]",
         "Prints the GLSL of one or more models: functions, structs and macros that begin with\n"
         "tsu_ or TSU_, one sampler tsu_tables and one block tsu_materials for all of them.\n"
         "Without --harness the text has no #version, no main, no in and no out: paste it after\n"
@@ -34,6 +36,10 @@ Manual manual()
             "Techniques of self-shadow, alone or among models, without --harness: " +
             joined(technique_names()) + ".\n",
         {{"--target", "TARGET", "language: " + joined(targets)},
+         {"--drop", "LOBE,...",
+          "leave these out: trt, residual (of marschner's fibre in any model), back\n"
+          "(light that comes back in dual_scattering and plane_parallel_hair),\n"
+          "transmitted (through leaves); what each is worth stands in tsuya/shader.h"},
          {"--harness", "",
           "one complete fragment shader: varyings t, l, v, sigma_a, flat material\n"
           "and the models' extra inputs; o = vec4(sum of all lobes, 1)"},
@@ -47,17 +53,44 @@ Manual manual()
         "  tsuya glsl kajiya_kay,marschner --target vulkan --harness > both.frag\n"};
 }
 
+// Words of a list with commas; "" gives none.
+std::vector<std::string> split(const std::string &list)
+{
+    std::vector<std::string> words;
+    for (std::size_t from = 0; from <= list.size() && !list.empty();) {
+        const std::size_t end = std::min(list.find(',', from), list.size());
+        words.push_back(list.substr(from, end - from));
+        from = end + 1;
+    }
+    return words;
+}
+
 bool find_models(const std::string &list, std::vector<const tsu_model *> &models,
                  std::string &error)
 {
-    for (std::size_t from = 0; from <= list.size();) {
-        const std::size_t end = std::min(list.find(',', from), list.size());
-        const tsu_model *const model = find_model(list.substr(from, end - from), error);
+    for (const std::string &name : list.empty() ? std::vector<std::string>{""} : split(list)) {
+        const tsu_model *const model = find_model(name, error);
         if (!model) {
             return false;
         }
         models.push_back(model);
-        from = end + 1;
+    }
+    return true;
+}
+
+bool drop_lobes(const std::string &list, std::uint32_t &flags, std::string &error)
+{
+    const std::vector<std::string> names = {"trt", "residual", "back", "transmitted"};
+    const std::uint32_t bits[] = {TSU_SHADER_DROP_TRT, TSU_SHADER_DROP_RESIDUAL,
+                                  TSU_SHADER_DROP_BACK, TSU_SHADER_DROP_TRANSMITTED};
+    for (const std::string &word : split(list)) {
+        const auto found = std::find(names.begin(), names.end(), word);
+        if (found == names.end()) {
+            error = "--drop: there is no lobe \"" + word + "\"" + suggestion(word, names) +
+                    "; the lobes are " + joined(names) + ".";
+            return false;
+        }
+        flags |= bits[found - names.begin()];
     }
     return true;
 }
@@ -85,6 +118,9 @@ bool describe(const Arguments &arguments, const std::vector<const tsu_model *> &
             return false;
         }
         desc.flags |= TSU_SHADER_FINE;
+    }
+    if (!drop_lobes(arguments.get("--drop"), desc.flags, error)) {
+        return false;
     }
     if (arguments.has("--array")) {
         double count = 0;

@@ -12,7 +12,7 @@
 
 struct tsu_dual_scattering_lobes {
     vec3 single;   // direct light, scattered by this fibre alone
-    vec3 multiple; // light that has met other fibres
+    vec3 multiple; // light that has met other fibres; without what comes back where that is dropped
 };
 
 // One longitudinal lobe of the table "spread": tsu_marschner_longitudinal with a plainer I0e, two
@@ -41,10 +41,14 @@ vec2 tsu_dual_scattering_near_far(int material, vec3 t, vec3 l, vec3 v, float fr
     float sin2_half = 1.0 - cos2_half;
 
     float x = exp2(-0.25 * front) * place.z + place.x;
-    return vec2((cos2_half * cos2_half) *
-                    (tsu_dual_scattering_lobe(products, vec2(x, place.y)) * TSU_RECORD(material, 4).w),
-                (sin2_half * sin2_half) *
-                    (tsu_dual_scattering_lobe(products, vec2(x, place.y + more.w)) * more.z));
+    float near = 0.0;
+#ifndef TSU_DROP_BACK
+    near = (cos2_half * cos2_half) *
+           (tsu_dual_scattering_lobe(products, vec2(x, place.y)) * TSU_RECORD(material, 4).w);
+#endif
+    float far = (sin2_half * sin2_half) *
+                (tsu_dual_scattering_lobe(products, vec2(x, place.y + more.w)) * more.z);
+    return vec2(near, far);
 }
 
 tsu_dual_scattering_stream tsu_dual_scattering_at(int material, vec3 t, vec3 v, vec3 sigma_a)

@@ -27,14 +27,20 @@ tsu_dual_scattering_stream tsu_dual_scattering_read(vec4 place, vec3 columns, fl
 }
 
 // Light that leaves after more than one event towards a lobe `near` (the light's own side) and a
-// lobe `far` (beyond): the sum of both, per channel. Hair is thick behind the fibre.
+// lobe `far` (beyond): the sum of both, per channel; `near` is nothing where it is dropped. Hair is
+// thick behind the fibre.
 //   single  direct^gamma: the first event's light that leaves at once, counted elsewhere
 vec3 tsu_dual_scattering_thick(tsu_dual_scattering_stream s, float front, float single, float near,
                                float far)
 {
     vec3 x = exp2(-front * s.k);
+#ifdef TSU_DROP_BACK
+    vec3 first = s.on * far;    // as the first event sends it
+    vec3 turned = s.back * far; // after a half space has reflected it once more
+#else
     vec3 first = s.back * near + s.on * far;  // as the first event sends it
     vec3 turned = s.on * near + s.back * far; // after a half space has reflected it once more
+#endif
     return max(x * (s.r * turned + first) - single * first, 0.0);
 }
 
@@ -48,7 +54,11 @@ vec3 tsu_dual_scattering_finite(tsu_dual_scattering_stream s, float front, float
     vec3 q = s.back * s.r + s.on;
     vec3 scale = x / (1.0 - (x * s.r) * (x * z * s.r));
     vec3 zr = z * s.r;
+#ifdef TSU_DROP_BACK
+    return max(((q - p * zr) * scale - single * s.on) * far, 0.0);
+#else
     return max(((p - q * zr) * near + (q - p * zr) * far) * scale -
                    single * (s.back * near + s.on * far),
                0.0);
+#endif
 }

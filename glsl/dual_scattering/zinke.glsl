@@ -37,7 +37,9 @@ tsu_dual_scattering_lobes tsu_dual_scattering_zinke_eval(int material, vec3 t, v
     vec4 place = TSU_RECORD(material, 6);
     vec4 spread = TSU_RECORD(material, 7);
     float d_f = TSU_RECORD(material, 5).z * 2.35619449; // 3 pi/4, see eval.glsl
-    float d_b = TSU_RECORD(material, 4).w;              // 0.75 of it is d_b / pi
+#ifndef TSU_DROP_BACK
+    float d_b = TSU_RECORD(material, 4).w; // 0.75 of it is d_b / pi
+#endif
     float sin_i = dot(t, l);
     float sin_r = dot(t, v);
     float cos_i = sqrt(abs(1.0 - sin_i * sin_i));
@@ -58,7 +60,6 @@ tsu_dual_scattering_lobes tsu_dual_scattering_zinke_eval(int material, vec3 t, v
         vec4 tt = textureLod(tsu_tables, vec2(columns[k], y + 2.0 * band), 0.0);
         vec4 trt = textureLod(tsu_tables, vec2(columns[k], y + 3.0 * band), 0.0);
         vec4 m = textureLod(tsu_tables, vec2(moments[k], cos_r * place.w + spread.w), 0.0);
-        float cos_shift = cos(m.x), sin_shift = sin(m.x);
         float through = (1.0 - direct) * d_f * exp2(front * whole.x);
         float added = front * m.z;
         lobes.multiple[k] =
@@ -69,10 +70,13 @@ tsu_dual_scattering_lobes tsu_dual_scattering_zinke_eval(int material, vec3 t, v
                  tsu_dual_scattering_more(products, TSU_RECORD(material, 1), added) +
              tsu_dual_scattering_azimuth(trt.xyz, cos_phi) *
                  tsu_dual_scattering_more(products, TSU_RECORD(material, 2), added));
+#ifndef TSU_DROP_BACK
+        float cos_shift = cos(m.x), sin_shift = sin(m.x);
         float near = tsu_dual_scattering_widened(products, cos_shift, sin_shift, m.y);
         float far = tsu_dual_scattering_widened(products, cos_shift, sin_shift, m.y + added);
         lobes.multiple[k] +=
             cos_phi > 0.0 ? 0.75 * d_b * whole.y * (direct * near + through * far) : 0.0;
+#endif
     }
     return lobes;
 }

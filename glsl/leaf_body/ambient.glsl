@@ -38,28 +38,35 @@ tsu_leaf_body_ambience tsu_leaf_body_integrals(int material, vec3 n, vec3 v, flo
     vec2 p = vec2(h1.x, h1.w) + x * (vec2(h1.y, h2.x) + x * vec2(h1.z, h2.y));
     vec2 pu = vec2(h2.z, h3.y) + x * (vec2(h2.w, h3.z) + x * vec2(h3.x, h3.w));
     float s = h0.y + x * h0.x;
-    float d = above ? h0.y - x * h0.x : x * h0.x - h0.y;
-    float pd = above ? pu.y - x * p.y : x * p.y - pu.y;
     float uu = h0.z + x * x * h0.x;
     vec3 first_same = vec3(s, x * h0.y, h0.w + (c - 1.0) * h0.x);
-    vec3 first_other = vec3(s, d, pd);
     vec4 second_same = vec4(uu, 0.0, p.x - h0.x, pu.x + x * p.x);
+#ifndef TSU_DROP_TRANSMITTED
+    float d = above ? h0.y - x * h0.x : x * h0.x - h0.y;
+    float pd = above ? pu.y - x * p.y : x * p.y - pu.y;
+    vec3 first_other = vec3(s, d, pd);
     vec4 second_other = vec4(uu, 0.0, p.y - h0.x, pu.y + x * p.y);
+#endif
 
     vec2 place = tsu_leaf_body_place(material, pigment, thickness);
     float y_same = place.y + (above ? 7.0 : 0.0) * table.w;
-    float y_other = place.y + 3.5 * table.w;
     float second = place.x + table.y * (16.0 / 15.0);
     tsu_leaf_body_ambience result;
+    result.transmitted = vec3(0.0);
+#ifndef TSU_DROP_TRANSMITTED
+    float y_other = place.y + 3.5 * table.w;
+#endif
     for (int i = 0; i < 3; i++) {
         result.reflected[i] = tsu_leaf_body_integral(
             textureLod(tsu_tables, vec2(place.x, y_same), 0.0),
             textureLod(tsu_tables, vec2(second, y_same), 0.0), first_same, second_same, h0.x);
+        y_same += table.w * (7.0 / 6.0);
+#ifndef TSU_DROP_TRANSMITTED
         result.transmitted[i] = tsu_leaf_body_integral(
             textureLod(tsu_tables, vec2(place.x, y_other), 0.0),
             textureLod(tsu_tables, vec2(second, y_other), 0.0), first_other, second_other, h0.x);
-        y_same += table.w * (7.0 / 6.0);
         y_other += table.w * (7.0 / 6.0);
+#endif
     }
     result.reflected = max(walls * result.reflected, 0.0) * same;
     result.transmitted = max(walls * result.transmitted, 0.0) * other;

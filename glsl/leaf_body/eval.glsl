@@ -37,8 +37,14 @@ tsu_leaf_body_frame tsu_leaf_body_directions(int material, float n_l, float n_v,
 
     tsu_leaf_body_frame frame;
     frame.through = !same;
+#ifdef TSU_DROP_TRANSMITTED
+    frame.set = light_above ? 7.0 : 0.0;
+    float cosine = same ? c_l : 0.0;
+#else
     frame.set = same ? (light_above ? 7.0 : 0.0) : 3.5;
-    frame.walls = c_l *
+    float cosine = c_l;
+#endif
+    frame.walls = cosine *
                   ((a + c_l * (fit.x + fit.y * c_l)) * (a + c_v * (fit.x + fit.y * c_v))) /
                   ((1.0 + c_l * (fit.z + fit.w * c_l)) * (1.0 + c_v * (fit.z + fit.w * c_v)));
 
@@ -46,13 +52,21 @@ tsu_leaf_body_frame tsu_leaf_body_directions(int material, float n_l, float n_v,
     float t_v = sqrt(c_v * c_v * leaf.z + leaf.w);
     float z = (n_l * n_v - l_v) * leaf.z;
     float t_lv = t_l * t_v;
+#ifdef TSU_DROP_TRANSMITTED
+    float root = inversesqrt(1.25 + t_lv - z);
+#else
     float root = inversesqrt(1.25 - ((same ? -t_lv : t_lv) + z));
+#endif
     float p = root * root * root - 1.0;
     float u_l = 1.0 - t_l;
     float u_v = 1.0 - t_v;
     float s = u_l + u_v;
+#ifdef TSU_DROP_TRANSMITTED
+    frame.first = vec3(s, u_l * u_v, c_l + c_v - 2.0);
+#else
     float d = viewer_above ? t_v - t_l : t_l - t_v;
     frame.first = vec3(s, same ? u_l * u_v : d, same ? c_l + c_v - 2.0 : p * d + d);
+#endif
     frame.second = vec4(u_l * u_l + u_v * u_v, z, p, p * s + s);
     return frame;
 }

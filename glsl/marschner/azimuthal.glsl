@@ -27,7 +27,9 @@ vec3 tsu_marschner_absorb_tt(vec4 path, vec3 sigma_a, float exponent)
     return (clamp(path.y * sigma_a, 0.0, 1.0) - path.x) * sigma_a + exponent;
 }
 
+#if !defined(TSU_DROP_TRT) || !defined(TSU_DROP_RESIDUAL)
 vec3 tsu_marschner_absorb(float path, vec3 sigma_a, float exponent)
 {
     return exponent - path * sigma_a;
 }
+#endif

@@ -7,13 +7,13 @@
 //   2  a, b, c of TRT, origin.z
 //   3  size of the table (x, y, z as in azimuthal.glsl), eta
 //   4  sigma_a of the material (linear RGB)
-//   5  a, b of the residual, for TSU_FINE; its c is TRT's
+//   5  a, b of the residual, for TSU_SHADER_FINE; its c is TRT's
 
 struct tsu_marschner_lobes {
     float r;   // surface reflection, no colour
     vec3 tt;   // straight through
-    vec3 trt;  // one internal reflection
-    vec3 res;  // two and more
+    vec3 trt;  // one internal reflection; 0 where it is dropped
+    vec3 res;  // two and more; 0 where they are dropped
 };
 
 // Scattering of a fibre, lobe by lobe: S cos(theta_i) in 1/sr. Multiply by radiance and solid angle
@@ -53,20 +53,40 @@ tsu_marschner_lobes tsu_marschner_eval(int material, vec3 t, vec3 l, vec3 v, vec
     lobes.r = n.x * factor * exp2(exponent);
     tsu_marschner_longitudinal(products, tt.x, tt.y, tt.z, exponent, factor);
     lobes.tt = n.y * factor * exp2(tsu_marschner_absorb_tt(path, sigma_a, exponent));
+#ifdef TSU_DROP_TRT
+    lobes.trt = vec3(0.0);
+#else
     tsu_marschner_longitudinal(products, trt.x, trt.y, trt.z, exponent, factor);
     lobes.trt = n.z * factor * exp2(tsu_marschner_absorb(path.z, sigma_a, exponent));
+#endif
+#ifdef TSU_DROP_RESIDUAL
+    lobes.res = vec3(0.0);
+#else
 #ifdef TSU_FINE
-    // The residual's own shift; without this it shares TRT's lobe and saves ten instructions.
+    // The residual's own shift.
     vec4 res = TSU_RECORD(material, 5);
     tsu_marschner_longitudinal(products, res.x, res.y, trt.z, exponent, factor);
+#else
+    // The residual shares TRT's lobe, which saves ten instructions.
+#ifdef TSU_DROP_TRT
+    tsu_marschner_longitudinal(products, trt.x, trt.y, trt.z, exponent, factor);
+#endif
 #endif
     lobes.res = n.w * factor * exp2(tsu_marschner_absorb(path.w, sigma_a, exponent));
+#endif
     return lobes;
 }
 
 vec3 tsu_marschner_sum(tsu_marschner_lobes lobes)
 {
-    return lobes.r + lobes.tt + lobes.trt + lobes.res;
+    vec3 sum = lobes.r + lobes.tt;
+#ifndef TSU_DROP_TRT
+    sum += lobes.trt;
+#endif
+#ifndef TSU_DROP_RESIDUAL
+    sum += lobes.res;
+#endif
+    return sum;
 }
 
 // The material's own absorption, for hosts without a colour per fragment.

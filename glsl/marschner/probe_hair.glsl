@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Functions "hair" and, with TSU_FINE, "hair-fine": theta_i, theta_r, phi, eta, sigma_a, alpha_R,
+// Functions "hair" and, with TSU_SHADER_FINE, "hair-fine": theta_i, theta_r, phi, eta, sigma_a, alpha_R,
 // beta_R, beta_az, scale_shifts -> R, TT, TRT, RES, total.
 
 void tsu_probe(int material, float x[16], out float y[8])

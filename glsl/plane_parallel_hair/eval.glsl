@@ -8,7 +8,7 @@
 
 struct tsu_plane_parallel_hair_lobes {
     vec3 single;   // direct light, scattered by this fibre alone
-    vec3 multiple; // light that has met other fibres
+    vec3 multiple; // light that has met other fibres; without what comes back where that is dropped
 };
 
 tsu_dual_scattering_stream tsu_plane_parallel_hair_at(int material, vec3 t, vec3 v, vec3 sigma_a)

@@ -19,6 +19,11 @@ tsu_status tsu_shader_desc_init_sized(tsu_shader_desc *desc, size_t size)
     return tsu_i_desc_init(desc, size, &defaults, sizeof defaults, sizeof defaults);
 }
 
+enum {
+    DROPS = TSU_SHADER_DROP_TRT | TSU_SHADER_DROP_RESIDUAL | TSU_SHADER_DROP_BACK |
+            TSU_SHADER_DROP_TRANSMITTED
+};
+
 static tsu_status reject(const tsu_context *context, const char *what, uint32_t value,
                          const char *expected)
 {
@@ -30,7 +35,7 @@ static tsu_status reject(const tsu_context *context, const char *what, uint32_t 
 static tsu_status check(const tsu_context *context, const tsu_shader_desc *desc)
 {
     const uint32_t known = TSU_SHADER_ARRAY | TSU_SHADER_PROBE | TSU_SHADER_HARNESS |
-                           TSU_SHADER_FINE | TSU_SHADER_LIGHTS | TSU_SHADER_BLUR;
+                           TSU_SHADER_FINE | TSU_SHADER_LIGHTS | TSU_SHADER_BLUR | DROPS;
     if (desc->flags & ~known)
         return reject(context, "flags", desc->flags, "TSU_SHADER_* bits");
     if (desc->reserved)
@@ -50,6 +55,8 @@ static tsu_status check(const tsu_context *context, const tsu_shader_desc *desc)
         (desc->model_count != 1 || desc->function >= desc->models[0]->info.function_count ||
          !desc->models[0]->functions[desc->function].sampled))
         return reject(context, "function", desc->function, "a function of the one model asked for");
+    if (desc->flags & TSU_SHADER_PROBE && desc->flags & DROPS)
+        return reject(context, "flags", desc->flags, "no TSU_SHADER_DROP_* with a probe");
     if (desc->flags & TSU_SHADER_ARRAY && desc->target == TSU_TARGET_VULKAN)
         return reject(context, "flags", desc->flags, "no TSU_SHADER_ARRAY for Vulkan");
     if (desc->array_materials < 1 || desc->array_materials > 127)
@@ -65,8 +72,8 @@ tsu_status tsu_shader_create(tsu_context *context, const tsu_shader_desc *desc, 
     if (!context)
         return TSU_E_PARAMETER;
     tsu_shader_desc own;
-    tsu_status status = tsu_i_desc_read(context, "tsu_shader_desc", desc, &own, sizeof own,
-                                        sizeof own);
+    tsu_status status =
+        tsu_i_desc_read(context, "tsu_shader_desc", desc, &own, sizeof own, sizeof own);
     if (status == TSU_OK)
         status = check(context, &own);
     if (status == TSU_OK && own.flags & TSU_SHADER_PROBE &&

@@ -12,7 +12,7 @@ void tsu_i_line_put(struct tsu_i_line *line, const char *text)
     line->bytes[line->size] = 0;
 }
 
-static void put_unsigned(struct tsu_i_line *line, unsigned long long value)
+void tsu_i_line_unsigned(struct tsu_i_line *line, unsigned long long value)
 {
     char digits[24];
     size_t n = sizeof digits - 1;
@@ -58,7 +58,7 @@ static void put_double(struct tsu_i_line *line, double value)
     unsigned long long unit = 1;
     for (int i = 0; i < point; i++)
         unit *= 10;
-    put_unsigned(line, digits / unit);
+    tsu_i_line_unsigned(line, digits / unit);
     if (point > 0) {
         tsu_i_line_put(line, ".");
         for (unsigned long long u = unit / 10; u > 0; u /= 10) {
@@ -68,7 +68,7 @@ static void put_double(struct tsu_i_line *line, double value)
     }
     if (!fixed) {
         tsu_i_line_put(line, exponent < 0 ? "e-" : "e");
-        put_unsigned(line, (unsigned long long)(exponent < 0 ? -exponent : exponent));
+        tsu_i_line_unsigned(line, (unsigned long long)(exponent < 0 ? -exponent : exponent));
     }
 }
 
@@ -90,12 +90,12 @@ void tsu_i_line_format(struct tsu_i_line *line, const char *format, va_list argu
             const int value = va_arg(arguments, int);
             if (value < 0)
                 tsu_i_line_put(line, "-");
-            put_unsigned(line, value < 0 ? 0ull - (unsigned long long)value
+            tsu_i_line_unsigned(line, value < 0 ? 0ull - (unsigned long long)value
                                          : (unsigned long long)value);
             break;
         }
         case 'u':
-            put_unsigned(line, va_arg(arguments, unsigned));
+            tsu_i_line_unsigned(line, va_arg(arguments, unsigned));
             break;
         case 'g':
             put_double(line, va_arg(arguments, double));
@@ -134,7 +134,7 @@ void tsu_i_text_number(struct tsu_i_text *text, unsigned value)
 {
     char digits[16];
     struct tsu_i_line line = {digits, sizeof digits, 0};
-    put_unsigned(&line, value);
+    tsu_i_line_unsigned(&line, value);
     tsu_i_text_put(text, digits, line.size);
 }
 

@@ -13,6 +13,7 @@ struct tsu_i_line {
     size_t capacity, size;
 };
 void tsu_i_line_put(struct tsu_i_line *line, const char *text);
+void tsu_i_line_unsigned(struct tsu_i_line *line, unsigned long long value);
 // Understands %s %d %u %g %%.
 void tsu_i_line_format(struct tsu_i_line *line, const char *format, va_list arguments);
 

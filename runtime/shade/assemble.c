@@ -3,6 +3,7 @@
 #include "base/host.h"
 #include "shade/dialect.h"
 #include "shade/snippet.h"
+#include "shade/strip.h"
 
 #include <string.h>
 
@@ -262,8 +263,6 @@ tsu_status tsu_i_assemble(const tsu_context *context, const tsu_shader_desc *des
         put(&a, a.dialect->version);
     put(&a, "// tsuya, MIT licence: functions, one sampler and one block that begin with tsu_.\n");
     put(&a, a.dialect->preamble);
-    if (desc->flags & TSU_SHADER_FINE)
-        put(&a, "#define TSU_FINE 1\n");
     put_resources(&a);
     if (harness)
         put_varyings(&a);
@@ -288,5 +287,9 @@ tsu_status tsu_i_assemble(const tsu_context *context, const tsu_shader_desc *des
         put_line(&a, 0);
         put_main(&a);
     }
-    return status == TSU_OK && out->text.failed ? TSU_E_MEMORY : status;
+    if (out->text.failed && status == TSU_OK)
+        status = TSU_E_MEMORY;
+    if (status == TSU_OK)
+        tsu_i_strip(&out->text, desc->flags);
+    return status;
 }

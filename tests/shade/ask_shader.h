@@ -27,5 +27,6 @@ int text_tests(void);
 int read_tests(void);
 int compile_tests(void);
 int shadow_tests(void);
+int drop_tests(void);
 
 #endif

@@ -19,7 +19,8 @@ static void compile(const char *what, const char *before, const char *text, cons
 {
     const int vulkan = a.desc.target == TSU_TARGET_VULKAN;
     FILE *pipe = popen(vulkan ? "glslangValidator -V -o /dev/null --stdin -S frag"
-                              : "glslangValidator --stdin -S frag", "w");
+                              : "glslangValidator --stdin -S frag",
+                       "w");
     assert_non_null(pipe);
     fputs(before, pipe);
     fputs(text, pipe);
@@ -38,12 +39,28 @@ static void compile_models(const char *what, uint32_t flags)
     const char *text = tsu_shader_text(shader, NULL);
     if (flags & TSU_SHADER_HARNESS) {
         assert_int_equal(strncmp(text, tsu_target_version(a.desc.target),
-                                 strlen(tsu_target_version(a.desc.target))), 0);
+                                 strlen(tsu_target_version(a.desc.target))),
+                         0);
         compile(what, "", text, "");
     } else {
         compile(what, tsu_target_version(a.desc.target), text, "void main()\n{\n}\n");
     }
     tsu_shader_destroy(shader);
+}
+
+static void compile_drops(const char *what)
+{
+    static const uint32_t lobes[] = {TSU_SHADER_DROP_TRT, TSU_SHADER_DROP_RESIDUAL,
+                                     TSU_SHADER_DROP_BACK, TSU_SHADER_DROP_TRANSMITTED};
+    uint32_t all = 0;
+    for (int i = 0; i < 4; i++) {
+        all |= lobes[i];
+        if (a.desc.target == TSU_TARGET_330)
+            compile_models(what, lobes[i]);
+    }
+    compile_models(what, all | TSU_SHADER_HARNESS);
+    if (a.desc.target == TSU_TARGET_330)
+        compile_models(what, TSU_SHADER_DROP_TRT | TSU_SHADER_FINE);
 }
 
 static void compile_probes(const tsu_model *model)
@@ -96,6 +113,7 @@ static void everything_compiles(void **state)
             compile_models(what, TSU_SHADER_HARNESS);
             compile_models(what, TSU_SHADER_LIGHTS);
             compile_models(what, TSU_SHADER_BLUR);
+            compile_drops(what);
             if (a.desc.target != TSU_TARGET_VULKAN) {
                 a.desc.array_materials = 3;
                 compile_models(what, TSU_SHADER_ARRAY);

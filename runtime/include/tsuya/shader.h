@@ -10,6 +10,34 @@
 // `material` is the index inside the bound page. A lobe is S cos(theta_i) in 1/sr: multiply it by
 // the light's radiance and solid angle (or irradiance from a small light) and add; no further
 // cosine, no light colour inside. Arguments after sigma_a are the model's extra inputs (model.h).
+//
+// Lobes left out (TSU_SHADER_DROP_*). The text lacks their code, structs and functions keep their
+// names: a dropped lobe's field is 0, sums have no term for it, hosts need not change. Tables stay
+// the same, so that multiple scattering still knows all lobes; a model without the lobe ignores the
+// flag. Light lost, in percent (tests/bench/results/lobes.csv has more; double precision,
+// eta 1.55):
+//
+//   sigma_a                                       0    0.05  0.1   0.2   0.5   1     2
+//   TRT: of what a fibre scatters, most over
+//     theta 0 to 60 degrees                       10   9.1   8.0   6.1   2.5   0.8   0.1
+//   RESIDUAL: the same                            2.7  2.0   1.5   0.9   0.2   0.02  0
+//     theta 60 to 85 degrees                      14   8.2   5.2   2.4   0.2   0.01  0
+//   BACK: of what a slab reflects, 0.1 fibres     13   11    10    8.4   4.8   1.5   0.1
+//     1 fibre                                     53   50    46    40    25    8.4   0.5
+//     any depth                                   89   80    73    61    36    12    0.6
+//
+//   TRT, RESIDUAL     one internal reflection, two and more: marschner's fibre, in dual_scattering
+//                     and plane_parallel_hair the direct light's. Black hair needs neither; the
+//                     residual matters in light hair at grazing views.
+//   BACK              light of other fibres that comes back on the light's own side:
+//   dual_scattering
+//                     (zinke: local back scattering), plane_parallel_hair. For black hair; of blond
+//                     hair it is lost light even one fibre deep.
+//   TRANSMITTED       what comes through leaves, for leaves that are lit and seen from one side:
+//                     ivy on a wall. Exact there; the coat is left out by using leaf_body.
+// Estimated clocks on navi21: marschner 250, 230 without one of the first two, 190 without both;
+// dual_scattering 416, 404, 354 and without BACK 378, without all 318; leaf_body 258 and 244.
+//
 // Techniques of self-shadow (hair_shadow.h) may be among the models: their text declares no sampler
 // and no block, the host hands its maps to their functions. Alone they need no block at all.
 #ifndef TSUYA_SHADER_H
@@ -45,7 +73,7 @@ enum {
     // Add the probes: void tsu_probe(int material, float x[16], out float y[8]) answers function
     // `function` of the one model asked for, with x as tsu_function_input() orders them.
     TSU_SHADER_PROBE = 2,
-    // Spend more where a model can use it (macro TSU_FINE). marschner: the residual gets a lobe of
+    // Spend more where a model can use it. marschner: the residual gets a lobe of
     // its own for 20 more of navi21's clocks, and the sum's worst error falls from 15 to 0.6 % of
     // its peak.
     TSU_SHADER_FINE = 8,
@@ -56,7 +84,13 @@ enum {
     // Add the snippets of lights and environments (tsuya/light.h).
     TSU_SHADER_LIGHTS = 16,
     // Add the snippet of light that spreads inside leaves (tsuya/leaf_scale.h).
-    TSU_SHADER_BLUR = 32
+    TSU_SHADER_BLUR = 32,
+    // Leave lobes out, where what they send can be missed: see "Lobes left out" below. Not with
+    // TSU_SHADER_PROBE, whose functions answer for the whole model.
+    TSU_SHADER_DROP_TRT = 64,
+    TSU_SHADER_DROP_RESIDUAL = 128,
+    TSU_SHADER_DROP_BACK = 256,
+    TSU_SHADER_DROP_TRANSMITTED = 512
 };
 
 typedef struct tsu_shader_desc {
