@@ -41,6 +41,7 @@ TESTS = {
     'api': [],
     'gl': ['base/', 'gl/', 'models/model.h'],
     'reference': ['optics/'],
+    'bench': ['optics/'],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s+([<"])([^>"]+)[>"]', re.M)
 
