@@ -48,7 +48,8 @@ enum {
     TSU_LOG_COLOR = 50,
     TSU_LOG_HAIR_SHADOW = 60,
     TSU_LOG_LIGHT = 61,
-    TSU_LOG_LEAF = 70
+    TSU_LOG_LEAF = 70,
+    TSU_LOG_CHOOSE = 80
 };
 
 #endif

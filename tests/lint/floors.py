@@ -18,8 +18,10 @@ FLOORS = {
     'shade': ['base/'] + MODEL,
     'hair_shadow': ['base/'] + MODEL,
     'light': ['base/'],
+    'choose': ['base/'],
     'gl': ['base/'] + MODEL,
-    'api': ['base/', 'optics/', 'bake/', 'shade/', 'hair_shadow/', 'light/', 'models/'],
+    'api': ['base/', 'optics/', 'bake/', 'shade/', 'hair_shadow/', 'light/', 'choose/',
+            'models/'],
 }
 # A model that extends others builds on their private headers and calls their GLSL.
 EXTENDS = {'dual_scattering': ['marschner'],

@@ -13,6 +13,7 @@
 #include <tsuya/leaf.h>
 #include <tsuya/leaf_scale.h>
 #include <tsuya/light.h>
+#include <tsuya/choose.h>
 #include <tsuya/models/deep_opacity.h>
 #include <tsuya/models/dual_scattering.h>
 #include <tsuya/models/kajiya_kay.h>

@@ -1,0 +1,396 @@
+#!/usr/bin/env python3
+"""Makes the trade table, runtime/choose/trade.csv, from what was measured. Needs numpy.
+
+    trade.py [--tsuya COMMAND] [-o trade.csv]
+
+    tests/bench/results/static.csv       clocks and the like, fetches (static gate)
+    tests/bench/results/lobes.csv        light that is lost with a lobe
+    tests/bench/results/leaf.csv         errors and colours of leaves (leaf_error.py)
+    tests/reference/trade_scenes.csv     pictures of random scenes against traced ones
+    tests/reference/images.csv           the same for 36 cells by name; until trade_scenes.csv is
+                                         there the predictor is fitted on these, with few terms
+
+The predictor (trade_predict.py): ln of a channel's relative MSE, and of its mean over the true one,
+as polynomials in seven traits, by least squares with weights 1 / (variance + s0^2) and a ridge.
+What is printed at the end tells how often a choice by it would hold, for scenes left out.
+"""
+import argparse
+import collections
+import csv
+import json
+import math
+import pathlib
+import subprocess
+import sys
+
+import numpy as np
+
+import trade_predict as tp
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+RESULTS = ROOT / 'tests/bench/results'
+SCENES = ROOT / 'tests/reference/trade_scenes.csv'
+IMAGES = ROOT / 'tests/reference/images.csv'
+NOISE = 0.15  # s0: what no polynomial follows, so that quiet scenes do not rule the fit
+RIDGES = (0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0)
+FEW = ('1', 'u', 'k', 'o', 'u*u', 'u*k', 'u*o')  # what 36 cells without traits can carry
+FOLDS = 10
+
+
+class Failure(Exception):
+    """What is missing, as one sentence."""
+
+
+def rows_of(path):
+    """Rows of a CSV with a head, lines with # left out."""
+    with open(path, encoding='utf-8', newline='') as file:
+        return list(csv.DictReader(line for line in file if not line.startswith('#')))
+
+
+def long_form(path):
+    """{(tier, quantity, key): value as text} of a table in long form; {} without the file."""
+    if not path.is_file():
+        return {}
+    return {(r['tier'], r['quantity'], r['key']): r['value'] for r in rows_of(path)}
+
+
+class Scene:
+    """One scene: traits of its three channels, and what each tier does in it."""
+
+    def __init__(self, name, split):
+        self.name, self.split = name, split
+        self.channels = [None] * 3
+        self.rms, self.luminance = {}, {}  # tier -> per channel (value, standard error)
+
+    def whole(self):
+        return (None not in self.channels and set(self.rms) >= set(tp.HAIR)
+                and all(len(v) == 3 for v in self.rms.values()))
+
+
+def random_scenes():
+    """The scenes of trade_scenes.csv."""
+    found = collections.OrderedDict()
+    for row in rows_of(SCENES):
+        scene = found.setdefault(row['scene'], Scene(row['scene'], row.get('split') or 'table'))
+        c, tier = 'rgb'.index(row['channel']), row['tier']
+        scene.channels[c] = {n: float(row[n]) for n in tp.RANGES}
+        scene.rms.setdefault(tier, {})[c] = (float(row['rel_mse']), float(row['rel_mse_se']))
+        scene.luminance.setdefault(tier, {})[c] = (float(row['mean_ratio']),
+                                                   float(row['mean_ratio_se']))
+    return list(found.values())
+
+
+def image_scenes():
+    """The cells of images.csv, whose traits are guessed from their names: for want of better."""
+    tiers = {'none': 'unshadowed', 'deep_opacity': 'marschner', 'zinke': 'zinke', 'exact': 'exact',
+             'kajiya_kay': 'kajiya_kay', 'plane_parallel': 'plane_parallel'}
+    sigma = {'black': (2.0, 3.3, 6.5), 'brown': (0.5447, 0.9061, 1.781),
+             'blond': (0.084, 0.14, 0.28), 'white': (0.001, 0.001, 0.001)}
+    light = {'front': 0.8, 'side': 0.2, 'back': -0.6}
+    found = collections.OrderedDict()
+    for row in rows_of(IMAGES):
+        if row['tier'] not in tiers or row['color'] not in sigma or row['light'] not in light:
+            continue
+        name = '/'.join((row['groom'], row['color'], row['light'], row['size']))
+        scene = found.setdefault(name, Scene(name, 'table'))
+        tier = tiers[row['tier']]
+        for c in range(3):
+            scene.channels[c] = {
+                'sigma_a': sigma[row['color']][c], 'sky_share': 0.6, 'strand_pixels': 0.5,
+                'light_cosine': light[row['light']], 'depth': 20.0,
+                'curl': 0.3 if row['groom'] == 'curly' else 0.0, 'beta_R': math.radians(7.5)}
+            ratio = 1.0 + float(row['mean_error'])
+            scene.rms.setdefault(tier, {})[c] = (float(row['rel_mse']), float(row['rel_mse_se']))
+            scene.luminance.setdefault(tier, {})[c] = (ratio, float(row['mean_error_se']))
+    return list(found.values())
+
+
+class Fit:
+    """A polynomial by least squares with weights and a ridge; `names` are the terms it may use."""
+
+    def __init__(self, points, names, ridge):
+        """points: (terms, value, deviation) each."""
+        use = [i for i, t in enumerate(tp.TERMS) if t in names]
+        a = np.array([p[0] for p in points])[:, use]
+        y = np.array([p[1] for p in points])
+        weight = 1.0 / (np.array([p[2] for p in points]) ** 2 + NOISE ** 2)
+        # Terms in units of their spread, so that one ridge suits all; the constant is free.
+        middle = np.average(a, axis=0, weights=weight)
+        scale = np.sqrt(np.average((a - middle) ** 2, axis=0, weights=weight))
+        live = scale > 1e-9
+        b = (a[:, live] - middle[live]) / scale[live]
+        level = np.average(y, weights=weight)
+        normal = (b * weight[:, None]).T @ b
+        normal += ridge * weight.mean() * np.eye(normal.shape[0])
+        slope = np.linalg.solve(normal, (b * weight[:, None]).T @ (y - level)) / scale[live]
+        self.coefficients = [0.0] * len(tp.TERMS)
+        for i, s in zip(np.array(use)[live], slope):
+            self.coefficients[i] += float(s)
+        self.coefficients[0] += float(level - middle[live] @ slope)
+
+
+def points_of(scenes, tier, what):
+    """(terms, logarithm, deviation) for each channel of each scene."""
+    points = []
+    for scene in scenes:
+        for c, channel in enumerate(scene.channels):
+            value, error = getattr(scene, what)[tier][c]
+            if value > 0.0:
+                points.append((tp.terms(channel), math.log(value), error / value))
+    return points
+
+
+def truth(scene, tier):
+    """(rms, luminance error) as the predictor defines them."""
+    mse = sum(scene.rms[tier][c][0] for c in range(3)) / 3.0
+    weights = [tp.weight(c, scene.channels[c]['sigma_a']) for c in range(3)]
+    gain = sum(w * scene.luminance[tier][c][0] for c, w in enumerate(weights)) / sum(weights)
+    return math.sqrt(max(mse, 1e-12)), gain - 1.0
+
+
+def fit_tier(scenes, tier, names, ridge):
+    return tuple(Fit(points_of(scenes, tier, what), names, ridge).coefficients
+                 for what in ('rms', 'luminance'))
+
+
+def left_out(scenes, tier, names, ridge):
+    """Predictions for each scene from the others, whole scenes left out by folds."""
+    result = {}
+    for fold in range(min(FOLDS, len(scenes))):
+        out = scenes[fold::FOLDS]
+        rest = [s for s in scenes if s not in out]
+        fits = fit_tier(rest, tier, names, ridge)
+        for scene in out:
+            result[scene.name] = tp.predict(*fits, scene.channels)
+    return result
+
+
+def spreads(scenes, tier, predicted):
+    """Deviations of ln rms and of ln(1 + luminance)."""
+    off = [[], []]
+    for scene in scenes:
+        true, guess = truth(scene, tier), predicted[scene.name]
+        off[0].append(math.log(true[0] / guess[0]))
+        off[1].append(math.log((1.0 + true[1]) / (1.0 + guess[1])))
+    return [math.sqrt(sum(x * x for x in values) / len(values)) for values in off]
+
+
+def choose(scene, clocks, predicted, spread, bound, z):
+    """The chooser's rule: the cheapest within the bound, equal costs by error, else the least."""
+    high = {t: predicted[t][scene.name][0] * math.exp(z * spread[t][0]) for t in tp.HAIR}
+    good = [t for t in tp.HAIR if high[t] <= bound]
+    if not good:
+        return min(tp.HAIR, key=lambda t: high[t]), False
+    least = min(clocks[t] for t in good)
+    return min((t for t in good if clocks[t] <= 1.05 * least), key=lambda t: high[t]), True
+
+
+def judge(scenes, clocks, predicted, spread, z):
+    """Shares of (within the bound, within twice, cost within 1.25) over bounds from 0.1 to 3; only
+    scenes and bounds where a tier meets the bound in truth."""
+    count, within, twice, cheap = 0, 0, 0, 0
+    for scene in scenes:
+        true = {t: truth(scene, t)[0] for t in tp.HAIR}
+        for i in range(40):
+            bound = 0.1 * 30.0 ** ((i + 0.5) / 40.0)
+            good = [clocks[t] for t in tp.HAIR if true[t] <= bound]
+            if not good:
+                continue
+            tier, _ = choose(scene, clocks, predicted, spread, bound, z)
+            count += 1
+            within += true[tier] <= bound
+            twice += true[tier] <= 2.0 * bound
+            cheap += clocks[tier] <= 1.25 * min(good)
+    return [x / max(count, 1) for x in (within, twice, cheap)]
+
+
+def pick_margin(scenes, clocks, predicted, spread):
+    """z where the worse of both shares is best; prints the course."""
+    print('     z   within the bound   within twice   cost within 1.25')
+    best = None
+    for i in range(0, 33):
+        z = i / 16.0
+        shares = judge(scenes, clocks, predicted, spread, z)
+        if i % 2 == 0:
+            print(f'{z:6.3f} {100 * shares[0]:12.1f} % {100 * shares[1]:14.1f} %'
+                  f' {100 * shares[2]:14.1f} %')
+        key = min(shares[0], shares[2])
+        if best is None or key > best[0]:
+            best = (key, z, shares)
+    print(f'z = {best[1]}: {100 * best[2][0]:.1f} % within, {100 * best[2][1]:.1f} % within twice, '
+          f'{100 * best[2][2]:.1f} % at a cost within 1.25')
+    return best[1]
+
+
+def tone(scene):
+    """Hair's tone by sigma_a: of the red channel, and dyed where the order is no pigment's."""
+    sigma = [channel['sigma_a'] for channel in scene.channels]
+    if sigma[0] > 1.02 * sigma[1] or sigma[1] > 1.02 * sigma[2] or \
+            sigma[2] > 12.0 * max(sigma[0], 0.02):
+        return 'dyed'
+    for name, most in (('white', 0.02), ('blond', 0.25), ('brown', 1.2)):
+        if sigma[0] < most:
+            return name
+    return 'black'
+
+
+class Writer:
+    """Rows of the table, in order, each once."""
+
+    def __init__(self):
+        self.rows = {}
+
+    def put(self, tier, quantity, key, value):
+        if (tier, quantity, key) in self.rows:
+            raise Failure(f'{tier},{quantity},{key} would be there twice')
+        self.rows[(tier, quantity, key)] = value if isinstance(value, str) else f'{value:.9g}'
+
+    def text(self, source):
+        lines = ['# ' + line for line in source] + ['tier,quantity,key,value']
+        return '\n'.join(lines + [','.join(row) + ',' + v for row, v in self.rows.items()]) + '\n'
+
+
+def put_hair(out, scenes, names, ridge):
+    """Fits, spreads, means and ranges; returns predictions and spreads of scenes left out."""
+    fitted = [s for s in scenes if s.split != 'test']
+    predicted, spread = {}, {}
+    for tier in tp.HAIR:
+        predicted[tier] = left_out(fitted, tier, names, ridge)
+        spread[tier] = spreads(fitted, tier, predicted[tier])
+        for what, fit, s in zip(('rms', 'luminance'), fit_tier(fitted, tier, names, ridge),
+                                spread[tier]):
+            for term, coefficient in zip(tp.TERMS, fit):
+                out.put(tier, 'fit_' + what, term, coefficient)
+            out.put(tier, 'spread', what, s)
+        print(f'{tier:16} ln rms off by {spread[tier][0]:.3f}, ln luminance by '
+              f'{spread[tier][1]:.3f}, scenes left out')
+    everyone = collections.defaultdict(list)
+    for scene in fitted:
+        everyone[tone(scene)].append(scene)
+    for tier in tp.HAIR:
+        for name in tp.TONES:
+            some = everyone[name] or fitted
+            pairs = [truth(s, tier) for s in some]
+            out.put(tier, 'rms', name, sum(p[0] for p in pairs) / len(pairs))
+            out.put(tier, 'luminance', name, sum(p[1] for p in pairs) / len(pairs))
+    print('scenes a tone: ' + ', '.join(f'{n} {len(everyone[n])}' for n in tp.TONES))
+    for name in tp.RANGES:
+        values = [channel[name] for s in fitted for channel in s.channels]
+        out.put('*', 'range', name + '.min', min(values))
+        out.put('*', 'range', name + '.max', max(values))
+    return fitted, predicted, spread
+
+
+def pick_ridge(scenes, names):
+    """The ridge that leaves the least in scenes left out, over all tiers."""
+    def left(ridge):
+        return sum(spreads(scenes, t, left_out(scenes, t, names, ridge))[0] for t in tp.HAIR)
+    return min(RIDGES, key=left)
+
+
+def put_static(out, static, tables):
+    """Cost of all tiers; bytes and samplers from what the models say."""
+    for tier, (_, model, _, _, _) in tp.embed.TIERS.items():
+        # Without shadow it is the same shader.
+        asked = 'kajiya_kay' if tier == 'unshadowed' and (tier, 'clocks', 'navi21') not in static \
+            else tier
+        for (name, quantity, key), value in static.items():
+            if name == asked:
+                out.put(tier, quantity, key, value)
+        if (tier, 'fetches', '') not in out.rows:
+            raise Failure(f'static.csv has no row {asked},fetches,')
+        if (tier, 'bytes', '') not in out.rows:
+            out.put(tier, 'bytes', '', str(tables[model]))
+        if (tier, 'samplers', '') not in out.rows:
+            out.put(tier, 'samplers', '', '0' if float(out.rows[(tier, 'fetches', '')]) == 0 else '1')
+        for gpu in tp.GPUS:
+            if (tier, 'clocks', gpu) not in out.rows:
+                raise Failure(f'static.csv has no row {asked},clocks,{gpu}')
+
+
+def tables_of(tsuya):
+    """Bytes of the tables of each model."""
+    done = subprocess.run([tsuya, 'models', '--json'], check=True, stdout=subprocess.PIPE, text=True)
+    models = json.loads(done.stdout)
+    models = models['models'] if isinstance(models, dict) else models
+    return {m['name']: sum(t['bytes'] for t in m['tables']) for m in models}, models
+
+
+def put_stated(out, models):
+    """Errors that the models state, for people: of fibres and of slabs."""
+    by_name = {m['name']: {n: e['value'] for n, e in m['error'].items()} for m in models}
+    for tier in tp.HAIR:
+        model = tp.embed.TIERS[tier][1]
+        for level, names in (('fiber', ('hair', 'albedo_default')), ('slab', ('slab_all',))):
+            for name in names:
+                if name in by_name[model] and tp.embed.TIERS[tier][2] != 'zinke':
+                    out.put(tier, 'error', f'{level}.{name}', by_name[model][name])
+
+
+def commit():
+    done = subprocess.run(['git', '-C', ROOT, 'rev-parse', '--short', 'HEAD'], check=True,
+                          stdout=subprocess.PIPE, text=True)
+    return done.stdout.strip()
+
+
+def comments(path):
+    """First lines of a CSV that say how it was made."""
+    if not path.is_file():
+        return []
+    with open(path, encoding='utf-8') as file:
+        return [line[1:].strip() for line in file if line.startswith('#')]
+
+
+def make(tsuya, static_path):
+    out = Writer()
+    tables, models = tables_of(tsuya)
+    static = long_form(static_path)
+    if not static:
+        raise Failure(f'{static_path} is not there')
+    put_static(out, static, tables)
+    put_stated(out, models)
+    random = SCENES.is_file()
+    scenes = [s for s in (random_scenes() if random else image_scenes()) if s.whole()]
+    names = set(tp.TERMS) if random else set(FEW)
+    fitted = [s for s in scenes if s.split != 'test']
+    ridge = pick_ridge(fitted, names)
+    print(f'{len(fitted)} scenes, ridge {ridge}')
+    fitted, predicted, spread = put_hair(out, scenes, names, ridge)
+    clocks = {t: float(out.rows[(t, 'clocks', 'navi21')]) for t in tp.HAIR}
+    out.put('*', 'margin', 'z', pick_margin(fitted, clocks, predicted, spread))
+    leaf = long_form(RESULTS / 'leaf.csv')
+    if not leaf:
+        raise Failure('tests/bench/results/leaf.csv is not there: run leaf_error.py')
+    for row, value in leaf.items():
+        out.put(*row, value)
+    for row, value in long_form(RESULTS / 'lobes.csv').items():
+        if row[1] == 'lobe_share':
+            out.put(*row, value)
+    source = [f'The trade table, made by tests/bench/trade.py from commit {commit()}.',
+              *(f'static cost: {c}' for c in comments(static_path)),
+              f'pictures: {len(fitted)} scenes of tests/reference/'
+              f'{SCENES.name if random else IMAGES.name}, ridge {ridge}',
+              *(f'leaves: {c}' for c in comments(RESULTS / 'leaf.csv')),
+              *(f'lobes: {c}' for c in comments(RESULTS / 'lobes.csv'))]
+    return out.text(source)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument('--tsuya', default='tsuya', help='the command (default: on the PATH)')
+    parser.add_argument('--static', type=pathlib.Path, default=RESULTS / 'static.csv')
+    parser.add_argument('-o', type=pathlib.Path, default=ROOT / 'runtime/choose/trade.csv')
+    options = parser.parse_args()
+    try:
+        text = make(options.tsuya, options.static)
+    except (Failure, OSError) as failure:
+        print(f'trade: {failure}', file=sys.stderr)
+        return 1
+    options.o.write_text(text, encoding='utf-8')
+    print(f'{options.o}: {len(text.splitlines())} lines')
+    return 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())
