@@ -23,6 +23,7 @@ int command_eval(int argc, char **argv);
 int command_reference(int argc, char **argv);
 
 // Defined in demo/scene.
+int command_compare(int argc, char **argv);
 int command_render(int argc, char **argv);
 int command_scenes(int argc, char **argv);
 

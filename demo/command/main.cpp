@@ -26,6 +26,7 @@ const Command commands[] = {
     {"eval", command_eval, "evaluate a model on rows of CSV: reference, tables in C, or GPU"},
     {"render", command_render, "render hair to a PNG or EXR file"},
     {"reference", command_reference, "render hair by path tracing, with its standard error"},
+    {"compare", command_compare, "print the errors of tiers against a path-traced picture"},
     {"scenes", command_scenes, "list the scenes that render knows"},
 };
 

@@ -203,7 +203,11 @@ int run(const Task &task)
     }
     std::string error;
     const Expected<bool> written = film.write(task.state(), key);
-    if (!written || !image::write_exr(task.path, film.image(), error)) {
+    image::Image picture = film.image();
+    picture.texts = {{"tsuya.scene", "# traced\n" + scene::write(task.scene)},
+                     {"tsuya.samples", std::to_string(film.summary().samples)},
+                     {"tsuya.seed", std::to_string(task.work.seed)}};
+    if (!written || !image::write_exr(task.path, picture, error)) {
         return complain(written ? error : written.error(), command::exit_failure);
     }
     return command::print("reference",

@@ -44,9 +44,10 @@ const Manual &reference_manual()
         "Draw what tsuya render draws by path tracing: every way of light through hair and off\n"
         "the head, any number of times, with marschner's fibre in double precision and the dome\n"
         "as a uniform sky. Keys and words are those of tsuya render.\n\n"
-        "FILE.exr holds linear light R, G, B; hair, the share of each pixel that hair covers; and\n"
-        "se.R, se.G, se.B, the standard error of each pixel. The same seed and samples give the\n"
-        "same picture whatever the number of threads.\n\n"
+        "FILE.exr holds linear light R, G, B; hair, the share of each pixel that hair covers; se.R,\n"
+        "se.G, se.B, se.Y, the standard error of each pixel and of its luminance; and the scene as\n"
+        "text. tsuya compare holds the tiers against it. The same seed and samples give the same\n"
+        "picture whatever the number of threads.\n\n"
         "All sums stand in FILE.exr.state, written from time to time and when the command is\n"
         "interrupted. With --resume it goes on from there and ends where it would have ended; a\n"
         "greater --samples adds to a finished picture.",

@@ -82,6 +82,11 @@ bool before_for_reading(const std::string &a, const std::string &b)
 
 std::string name_defect(const Image &image, const std::vector<std::string> &names)
 {
+    for (const auto &text : image.texts) {
+        if (text.first.empty() || text.first.size() > 254) {
+            return "the name of a text is empty or longer than 254 bytes";
+        }
+    }
     if (names.size() != std::size_t(image.channels)) {
         return std::to_string(image.channels) + " channels have " + std::to_string(names.size()) +
                " names";
@@ -141,6 +146,18 @@ bool write_exr(const std::string &path, const Image &image, std::string &error)
     pixels.width = image.width;
     pixels.height = image.height;
     pixels.num_channels = image.channels;
+    std::map<std::string, std::string> texts = image.texts; // the library wants to change them
+    std::vector<EXRAttribute> attributes;
+    for (auto &text : texts) {
+        EXRAttribute attribute = {};
+        text.first.copy(attribute.name, sizeof attribute.name - 1);
+        std::strcpy(attribute.type, "string");
+        attribute.value = reinterpret_cast<unsigned char *>(text.second.data());
+        attribute.size = int(text.second.size());
+        attributes.push_back(attribute);
+    }
+    header.num_custom_attributes = int(attributes.size());
+    header.custom_attributes = attributes.data();
 
     unsigned char *bytes = nullptr;
     const char *message = nullptr;
@@ -204,6 +221,13 @@ bool read_exr(const std::string &path, Image &image, std::string &error)
         const float *plane = reinterpret_cast<const float *>(file.image.images[sorted[c]]);
         for (std::size_t i = 0; i < size; i++) {
             read.pixels[i * count + c] = plane[i];
+        }
+    }
+    for (int i = 0; i < file.header.num_custom_attributes; i++) {
+        const EXRAttribute &attribute = file.header.custom_attributes[i];
+        if (!std::strcmp(attribute.type, "string") && attribute.size > 0) {
+            read.texts[attribute.name] = {reinterpret_cast<const char *>(attribute.value),
+                                          std::size_t(attribute.size)};
         }
     }
     image = std::move(read);

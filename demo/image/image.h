@@ -6,6 +6,7 @@
 #ifndef TSUYA_DEMO_IMAGE_IMAGE_H
 #define TSUYA_DEMO_IMAGE_IMAGE_H
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,9 @@ struct Image
 
     // One name per channel, or empty: Y, Y A, R G B, R G B A for 1, 2, 3, 4 channels.
     std::vector<std::string> names = {};
+
+    // Texts by name that an EXR carries beside its pixels; a PNG carries none.
+    std::map<std::string, std::string> texts = {};
 };
 
 // Bits of one channel in a PNG file.
@@ -47,11 +51,12 @@ bool read_png(const std::string &path, Image &image, std::string &error);
 // Writes an EXR: scan lines, 32-bit float, ZIP compression, any number of channels under their
 // names, any value including infinities and NaN.
 // Errors: no such folder, disk full, wrong number of channels, values or names, a name that is
-//         empty, longer than 254 bytes or there twice, more than 4 channels without names.
+//         empty, longer than 254 bytes or there twice, more than 4 channels without names, texts
+//         whose names are such.
 bool write_exr(const std::string &path, const Image &image, std::string &error);
 
 // Reads a single-part scan-line EXR of half or float channels; `names` is always filled. Channels
-// come in the order R G B Y A, then the others by name.
+// come in the order R G B Y A, then the others by name. Attributes of type string become texts.
 // Errors: no such file, not an EXR, damaged, or tiled, deep, multi-part, sub-sampled or integer,
 //         which are not read. `image` is untouched then.
 bool read_exr(const std::string &path, Image &image, std::string &error);

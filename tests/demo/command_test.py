@@ -24,7 +24,7 @@ from command_support import AZIMUTHAL, CASES, Wrong, case, expect, models, outpu
 from command_support import table, use
 
 TARGETS = ('330', '410', '450', '300es', '310es', 'vulkan')
-COMMANDS = ('models', 'glsl', 'bake', 'eval', 'render', 'scenes')
+COMMANDS = ('models', 'glsl', 'bake', 'eval', 'render', 'compare', 'scenes')
 
 
 @case

@@ -114,10 +114,12 @@ void exr_named_channels(void **)
     std::string error;
     Image table = ramp(4, 3, 6);
     table.names = {"TRT.G", "m_r", "R", "TRT.B", "A", "TRT.R"};
+    table.texts = {{"scene", "a=1\nb = \xc3\xa4\n"}, {"samples", "64"}};
     Image back;
     assert_true(write_exr(path, table, error));
     assert_true(read_exr(path, back, error));
     assert_int_equal(back.channels, 6);
+    assert_true(back.texts == table.texts);
     assert_string_equal(back.names[0].c_str(), "R");
     assert_string_equal(back.names[1].c_str(), "A");
     assert_int_equal(channel(back, "none"), -1);

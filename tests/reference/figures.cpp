@@ -10,99 +10,38 @@ namespace tsuya::reference
 namespace
 {
 
-constexpr double hair_least = 0.3, floor_share = 0.1;
-constexpr int around = 2; // pixels to each side that b(r) is the mean over
-
-// Mean luminance of the reference, error of the mean, rel MSE; the last two of each channel.
-enum { mean, mean_error, rel_mse, channel_error, channel_mse = channel_error + 3, value_count = 9 };
+// Values of the figures side by side.
+constexpr std::size_t value_count = 9;
 using Values = std::array<double, value_count>;
-
-double luminance(const float *p)
-{
-    return 0.2126 * double(p[0]) + 0.7152 * double(p[1]) + 0.0722 * double(p[2]);
-}
-
-// 1 / (b^2 + (0.1 m)^2) in every channel; 0 outside hair.
-using Weights = std::vector<std::array<double, 3>>;
-
-Weights weights(const Film &film, const draw::Picture &shares)
-{
-    const int width = film.width(), height = film.height();
-    const auto hair = [&](int x, int y) {
-        return x >= 0 && y >= 0 && x < width &&
-               y<height &&double(shares.pixels[std::size_t(4 * (y * width + x) + 3)])> hair_least;
-    };
-    Weights result(std::size_t(width) * std::size_t(height), {0.0, 0.0, 0.0});
-    std::array<double, 3> middle{};
-    int pixels = 0;
-    for (int y = 0; y < height; y++) {
-        for (int x = 0; x < width; x++) {
-            for (int c = 0; c < 3 && hair(x, y); c++) {
-                middle[std::size_t(c)] += film.at(x, y).mean(c);
-            }
-            pixels += hair(x, y);
-        }
-    }
-    for (int y = 0; y < height; y++) {
-        for (int x = 0; x < width; x++) {
-            for (int c = 0; c < 3 && hair(x, y); c++) {
-                double sum = 0.0;
-                int met = 0;
-                for (int v = y - around; v <= y + around; v++) {
-                    for (int u = x - around; u <= x + around; u++) {
-                        if (hair(u, v)) {
-                            sum += film.at(u, v).mean(c);
-                            met++;
-                        }
-                    }
-                }
-                const double least = floor_share * middle[std::size_t(c)] / pixels;
-                const double blurred = sum / met;
-                result[std::size_t(y * width + x)][std::size_t(c)] =
-                    1.0 / std::max(blurred * blurred + least * least, 1e-300) / (3.0 * pixels);
-            }
-        }
-    }
-    return result;
-}
 
 std::vector<Values> values(const Film &film, const std::vector<draw::Picture> &pictures)
 {
-    const Weights weight = weights(film, pictures[0]);
-    std::vector<Values> result(pictures.size(), Values{});
-    double share = 0.0;
-    std::array<double, 4> traced{}; // of R, G, B and luminance
-    for (int i = 0; i < film.width() * film.height(); i++) {
-        const Pixel &pixel = film.at(i % film.width(), i / film.width());
-        const double w = double(pictures[0].pixels[std::size_t(4 * i + 3)]);
-        share += w;
-        for (int c = 0; c < 4; c++) {
-            traced[std::size_t(c)] += w * pixel.mean(c);
-        }
-        for (std::size_t k = 0; k < pictures.size(); k++) {
-            const float *const t = &pictures[k].pixels[std::size_t(4 * i)];
-            result[k][mean_error] += w * luminance(t);
-            for (std::size_t c = 0; c < 3; c++) {
-                const double off = double(t[c]) - pixel.mean(int(c));
-                const double se = pixel.standard_error(int(c));
-                result[k][channel_error + c] += w * double(t[c]);
-                result[k][channel_mse + c] +=
-                    3.0 * weight[std::size_t(i)][c] * (off * off - se * se);
-            }
-        }
+    std::vector<image::Pixels> pixels;
+    for (const draw::Picture &picture : pictures) {
+        pixels.push_back(picture.pixels.data());
     }
-    for (Values &v : result) {
-        v[mean] = traced[3] / share;
-        v[mean_error] = v[mean_error] / traced[3] - 1.0;
-        for (std::size_t c = 0; c < 3; c++) {
-            v[channel_error + c] = v[channel_error + c] / traced[c] - 1.0;
-            v[rel_mse] += v[channel_mse + c] / 3.0;
-        }
+    std::vector<Values> result;
+    for (const image::Measures &m : image::measures(traced(film), pixels)) {
+        result.push_back({m.mean, m.mean_error, m.rel_mse, m.channel_error[0], m.channel_error[1],
+                          m.channel_error[2], m.channel_mse[0], m.channel_mse[1],
+                          m.channel_mse[2]});
     }
     return result;
 }
 
 } // namespace
+
+image::Traced traced(const Film &film)
+{
+    image::Traced result = {film.width(), film.height(), {}, {}};
+    for (int i = 0; i < film.width() * film.height(); i++) {
+        const Pixel &pixel = film.at(i % film.width(), i / film.width());
+        result.mean.push_back({pixel.mean(0), pixel.mean(1), pixel.mean(2), pixel.mean(3)});
+        result.error.push_back({pixel.standard_error(0), pixel.standard_error(1),
+                                pixel.standard_error(2), pixel.standard_error(3)});
+    }
+    return result;
+}
 
 Batches::Batches(int width, int height) : films_(count, Film(width, height))
 {
@@ -169,9 +108,7 @@ std::vector<Figures> figures(const Batches &batches, const std::vector<draw::Pic
             }
             f[i] = {n * all[k][i] - (n - 1.0) * middle, std::sqrt(squares * (n - 1.0) / n)};
         }
-        result[k] = {f[mean], f[mean_error], f[rel_mse], {}, {}};
-        std::copy_n(&f[channel_error], 3, result[k].channel_error.begin());
-        std::copy_n(&f[channel_mse], 3, result[k].channel_mse.begin());
+        result[k] = {f[0], f[1], f[2], {f[3], f[4], f[5]}, {f[6], f[7], f[8]}};
     }
     return result;
 }

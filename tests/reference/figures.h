@@ -1,47 +1,27 @@
-// A picture against the reference: error of the mean and relative mean square error, with
-// standard errors that are those of the reference's noise alone.
-//
-// Let t be the picture, r the reference, in channel c of pixel p; w the share of the pixel that
-// hair covers, as the renderer draws it, which is the same for all tiers and has no noise; Y
-// Rec. 709 luminance. Hair pixels are those with w > 0.3.
-//
-//   mean error  sum(w Y(t)) / sum(w Y(r)) - 1, over all pixels: signed
-//   rel MSE     mean over hair pixels and channels of
-//                   ((t - r)^2 - se(r)^2) / (b(r)^2 + (0.1 m)^2)
-//               where se(r)^2 is the variance of the reference's pixel, so that its noise cancels,
-//               b(r) the mean of r over the hair pixels of the 5x5 pixels around p, so that noise
-//               in it hardly counts, and m the mean of r over all hair pixels.
+// Figures of pictures against the reference (image/figures.h says which) in equal independent
+// parts.
 //
 // Values and standard errors by the jackknife over batches with seeds of their own: the figures
 // again without one batch, for each. It takes away the bias that goes as one over samples, needs no
 // law for the noise and sees what pixels and channels share. Where the square of noise outweighs
-// the picture's own error it states up to sqrt(2) times too much.
+// the picture's own error it states up to sqrt(2) times too much. `tsuya compare`, which has one
+// film, carries the pixels' standard errors instead.
 #ifndef TSUYA_TESTS_REFERENCE_FIGURES_H
 #define TSUYA_TESTS_REFERENCE_FIGURES_H
 
 #include "draw/renderer.h"
+#include "image/figures.h"
 #include "reference/film.h"
 #include "reference/render.h"
 
-#include <array>
 #include <functional>
 #include <vector>
 
 namespace tsuya::reference
 {
 
-struct Figure {
-    double value = 0.0;
-    double error = 0.0; // standard error
-};
-
-struct Figures {
-    Figure mean;       // luminance of the reference, weighed by w
-    Figure mean_error; // share of it
-    Figure rel_mse;
-    // Of each channel; the mean of their rel MSE is the picture's.
-    std::array<Figure, 3> channel_error, channel_mse;
-};
+using image::Figure;
+using image::Figures;
 
 // A reference in equal independent parts.
 class Batches
@@ -62,6 +42,9 @@ class Batches
   private:
     std::vector<Film> films_;
 };
+
+// A film as the figures take it.
+image::Traced traced(const Film &film);
 
 // Figures of pictures of the batches' size; all with the share of hair of the first.
 std::vector<Figures> figures(const Batches &batches, const std::vector<draw::Picture> &pictures);

@@ -67,13 +67,14 @@ const Pixel &Film::at(int x, int y) const
 
 image::Image Film::image() const
 {
-    image::Image image = {width_, height_, 7, {}, {"R", "G", "B", "hair", "se.R", "se.G", "se.B"}};
+    image::Image image = {width_, height_, 8, {},
+                          {"R", "G", "B", "hair", "se.R", "se.G", "se.B", "se.Y"}};
     for (const Pixel &pixel : pixels_) {
         for (int c = 0; c < 3; c++) {
             image.pixels.push_back(float(pixel.mean(c)));
         }
         image.pixels.push_back(float(pixel.samples ? pixel.hair / double(pixel.samples) : 0.0));
-        for (int c = 0; c < 3; c++) {
+        for (int c = 0; c < 4; c++) {
             image.pixels.push_back(float(pixel.standard_error(c)));
         }
     }

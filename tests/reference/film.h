@@ -57,8 +57,8 @@ class Film
     Pixel &at(int x, int y);
     const Pixel &at(int x, int y) const;
 
-    // Channels R, G, B, hair, se.R, se.G, se.B: linear light, the share of the pixel that hair
-    // covers, and the standard errors of the first three.
+    // Channels R, G, B, hair, se.R, se.G, se.B, se.Y: linear light, the share of the pixel that hair
+    // covers, and the standard errors of the first three and of their luminance.
     image::Image image() const;
     Summary summary() const;
 

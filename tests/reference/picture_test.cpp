@@ -184,7 +184,8 @@ void only_the_seed_changes_the_sums(void **)
     assert_true(equal(whole, threads));
     assert_false(equal(whole, other));
     assert_true(whole.image().names ==
-                std::vector<std::string>({"R", "G", "B", "hair", "se.R", "se.G", "se.B"}));
+                std::vector<std::string>(
+                    {"R", "G", "B", "hair", "se.R", "se.G", "se.B", "se.Y"}));
 
     // Stopped at once, then by and by, through the file each time.
     const char *path = "picture_test.state";

@@ -2,6 +2,7 @@
 // predictor in the trade table is fitted on, and what the chooser is tried on.
 //
 //   trade_sweep FILE.csv --from SEED --count N [--samples MOST] [--threads T]
+//   trade_sweep --print SEED     that scene, as a scene file
 //
 // Adds a scene's rows to FILE.csv at once when it is done; scenes that stand there are left alone,
 // so that the program goes on where it was stopped. A row is one colour channel of one tier: the
@@ -205,6 +206,12 @@ int run(const Options &options)
 
 int main(int argc, char **argv)
 {
+    if (argc == 3 && std::string(argv[1]) == "--print") {
+        for (const std::string &word : random_scene(std::strtoull(argv[2], nullptr, 10))) {
+            std::printf("%s\n", word.c_str());
+        }
+        return 0;
+    }
     Options options;
     if (!parse(argc, argv, options)) {
         std::fprintf(stderr, "usage: trade_sweep FILE.csv --from SEED --count N [--samples MOST] "
