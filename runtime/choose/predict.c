@@ -20,27 +20,31 @@ static double held(double value, int index, uint32_t *outside)
     return value < low ? low : value > high ? high : value;
 }
 
+enum { LANES = 4 }; // three channels and nothing, so that a loop over them is one vector
+
 struct channels {
-    double term[3][TSU_I_TERMS];
+    double term[TSU_I_TERMS][LANES];
     double weight[3]; // of luminance; they sum to 1
 };
 
-static void put_terms(const double trait[TSU_I_TRAITS], double term[TSU_I_TERMS])
+static void put_terms(const double trait[TSU_I_TRAITS], int c, double term[TSU_I_TERMS][LANES])
 {
     int n = 0;
-    term[n++] = 1.0;
+    term[n++][c] = 1.0;
     for (int i = 0; i < TSU_I_TRAITS; i++)
-        term[n++] = trait[i];
+        term[n++][c] = trait[i];
     for (int i = 0; i < TSU_I_TRAITS; i++)
         for (int k = i; k < TSU_I_TRAITS; k++)
-            term[n++] = trait[i] * trait[k];
-    term[n] = trait[0] * trait[0] * trait[0];
+            term[n++][c] = trait[i] * trait[k];
+    term[n][c] = trait[0] * trait[0] * trait[0];
 }
 
 static void read_scene(const tsu_choose_desc *desc, struct channels *scene, uint32_t *outside)
 {
     static const double rec709[3] = {0.2126, 0.7152, 0.0722};
     double trait[TSU_I_TRAITS], sum = 0.0;
+    for (int i = 0; i < TSU_I_TERMS; i++)
+        scene->term[i][3] = 0.0;
     trait[1] = held((double)desc->sky_share, 1, outside);
     trait[2] = held((double)desc->light_cosine, 2, outside);
     trait[3] = tsu_i_plain_log(held((double)desc->strand_pixels, 3, outside)) / ln2;
@@ -50,7 +54,7 @@ static void read_scene(const tsu_choose_desc *desc, struct channels *scene, uint
     for (int c = 0; c < 3; c++) {
         const double root = sqrt(held((double)desc->sigma_a[c], 0, outside));
         trait[0] = root / (root + sqrt(0.1));
-        put_terms(trait, scene->term[c]);
+        put_terms(trait, c, scene->term);
         scene->weight[c] = rec709[c] * tsu_i_plain_exp(-5.9 * root);
         sum += scene->weight[c];
     }
@@ -58,12 +62,17 @@ static void read_scene(const tsu_choose_desc *desc, struct channels *scene, uint
         scene->weight[c] /= sum;
 }
 
-static double fitted(const struct tsu_i_trade_fit *fit, const double term[TSU_I_TERMS])
+// Both polynomials of a tier, all channels at once.
+static void fit(const struct tsu_i_trade_tier *tier, const struct channels *scene,
+                double rms[LANES], double luminance[LANES])
 {
-    double sum = 0.0;
+    for (int c = 0; c < LANES; c++)
+        rms[c] = luminance[c] = 0.0;
     for (int i = 0; i < TSU_I_TERMS; i++)
-        sum += fit->term[i] * term[i];
-    return tsu_i_plain_exp(sum);
+        for (int c = 0; c < LANES; c++) {
+            rms[c] += tier->rms->term[i] * scene->term[i][c];
+            luminance[c] += tier->luminance->term[i] * scene->term[i][c];
+        }
 }
 
 static double larger(double a, double b)
@@ -74,10 +83,11 @@ static double larger(double a, double b)
 static void predict_hair(const struct tsu_i_trade_tier *tier, const struct channels *scene,
                          struct tsu_i_candidate *out)
 {
-    double square = 0.0, gain = 0.0;
+    double square = 0.0, gain = 0.0, rms[LANES], luminance[LANES];
+    fit(tier, scene, rms, luminance);
     for (int c = 0; c < 3; c++) {
-        square += fitted(tier->rms, scene->term[c]) / 3.0;
-        gain += scene->weight[c] * fitted(tier->luminance, scene->term[c]);
+        square += tsu_i_plain_exp(rms[c]) / 3.0;
+        gain += scene->weight[c] * tsu_i_plain_exp(luminance[c]);
     }
     const double margin = tsu_i_trade.margin;
     const double swing = tsu_i_plain_exp(margin * tier->luminance->spread);

@@ -39,6 +39,7 @@ TESTS = {
     'optics': ['base/', 'optics/'],
     'models': ['base/', 'optics/', 'models/', 'api/'],
     'bake': ['base/', 'bake/', 'models/model.h'],
+    'choose': ['choose/'],
     'shade': [],
     'api': [],
     'gl': ['base/', 'gl/', 'models/model.h'],
