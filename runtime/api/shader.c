@@ -35,7 +35,8 @@ static tsu_status reject(const tsu_context *context, const char *what, uint32_t 
 static tsu_status check(const tsu_context *context, const tsu_shader_desc *desc)
 {
     const uint32_t known = TSU_SHADER_ARRAY | TSU_SHADER_PROBE | TSU_SHADER_HARNESS |
-                           TSU_SHADER_FINE | TSU_SHADER_LIGHTS | TSU_SHADER_BLUR | DROPS;
+                           TSU_SHADER_FINE | TSU_SHADER_LIGHTS | TSU_SHADER_BLUR | TSU_SHADER_FADE |
+                           DROPS;
     if (desc->flags & ~known)
         return reject(context, "flags", desc->flags, "TSU_SHADER_* bits");
     if (desc->reserved)
@@ -121,4 +122,12 @@ const char *tsu_shader_source(const tsu_shader *shader, uint32_t source)
     return shader && source < shader->assembly.source_count && source < TSU_I_SOURCES
                ? shader->assembly.sources[source]
                : NULL;
+}
+
+float tsu_fade_strand(uint32_t strand)
+{
+    uint32_t x = strand * 747796405u + 2891336453u;
+    x = ((x >> ((x >> 28) + 4)) ^ x) * 277803737u;
+    x = (x >> 22) ^ x;
+    return (float)(x >> 8) * (1.0f / 16777216.0f);
 }

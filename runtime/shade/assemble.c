@@ -276,6 +276,8 @@ tsu_status tsu_i_assemble(const tsu_context *context, const tsu_shader_desc *des
             status = put_file(&a, lights[i]);
     if (desc->flags & TSU_SHADER_BLUR && status == TSU_OK)
         status = put_file(&a, "light/blur.glsl");
+    if (desc->flags & TSU_SHADER_FADE && status == TSU_OK)
+        status = put_file(&a, "prelude/fade.glsl");
     for (uint32_t i = 0; i < desc->model_count && status == TSU_OK; i++)
         for (const char *const *file = desc->models[i]->snippets;
              *file && status == TSU_OK && !listed_before(desc, i); file++)

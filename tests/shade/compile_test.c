@@ -112,7 +112,7 @@ static void everything_compiles(void **state)
             compile_models(what, 0);
             compile_models(what, TSU_SHADER_HARNESS);
             compile_models(what, TSU_SHADER_LIGHTS);
-            compile_models(what, TSU_SHADER_BLUR);
+            compile_models(what, TSU_SHADER_BLUR | TSU_SHADER_FADE);
             compile_drops(what);
             if (a.desc.target != TSU_TARGET_VULKAN) {
                 a.desc.array_materials = 3;

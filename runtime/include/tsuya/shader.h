@@ -90,7 +90,9 @@ enum {
     TSU_SHADER_DROP_TRT = 64,
     TSU_SHADER_DROP_RESIDUAL = 128,
     TSU_SHADER_DROP_BACK = 256,
-    TSU_SHADER_DROP_TRANSMITTED = 512
+    TSU_SHADER_DROP_TRANSMITTED = 512,
+    // Add the snippet that fades from one tier to another (tsu_fade*, glsl/prelude/fade.glsl).
+    TSU_SHADER_FADE = 1024
 };
 
 typedef struct tsu_shader_desc {
@@ -130,6 +132,14 @@ TSU_API uint64_t tsu_shader_key(const tsu_shader *shader);
 // File behind source string number `source` of a driver's message ("3:14: ..." is source 3, line
 // 14): sources are numbered by #line. NULL when there is none. Threads: any.
 TSU_API const char *tsu_shader_source(const tsu_shader *shader, uint32_t source);
+
+// Threshold of strand (or leaf) number `strand`, in [0, 1), the same as the GLSL function of this
+// name (TSU_SHADER_FADE): while a weight goes from 0 to 1, strands below it are of the new tier.
+// Sorted by their thresholds, strands fade in two draws, each with one tier's program: the first
+// weight * N with the new one. No shader holds both tiers and no pixel pays for both; where a shader
+// chooses by pixel, it may. Keep the mean luminance by tsu_choose_match()'s gain on the new tier,
+// and take seconds to bring that gain to 1 afterwards. Threads: any.
+TSU_API float tsu_fade_strand(uint32_t strand);
 
 #ifdef __cplusplus
 }
