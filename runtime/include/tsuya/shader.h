@@ -136,9 +136,9 @@ TSU_API const char *tsu_shader_source(const tsu_shader *shader, uint32_t source)
 // Threshold of strand (or leaf) number `strand`, in [0, 1), the same as the GLSL function of this
 // name (TSU_SHADER_FADE): while a weight goes from 0 to 1, strands below it are of the new tier.
 // Sorted by their thresholds, strands fade in two draws, each with one tier's program: the first
-// weight * N with the new one. No shader holds both tiers and no pixel pays for both; where a shader
-// chooses by pixel, it may. Keep the mean luminance by tsu_choose_match()'s gain on the new tier,
-// and take seconds to bring that gain to 1 afterwards. Threads: any.
+// weight * N with the new one. No shader holds both tiers and no pixel pays for both; where a
+// shader chooses by pixel, it may. Keep the mean luminance by tsu_choose_match()'s gain on the new
+// tier, and take seconds to bring that gain to 1 afterwards. Threads: any.
 TSU_API float tsu_fade_strand(uint32_t strand);
 
 #ifdef __cplusplus
