@@ -24,6 +24,7 @@ const Command commands[] = {
     {"glsl", command_glsl, "print the GLSL text of one or more models"},
     {"bake", command_bake, "write a material's tables and uniform block to files"},
     {"eval", command_eval, "evaluate a model on rows of CSV: reference, tables in C, or GPU"},
+    {"bench", command_bench, "measure what each tier costs on this machine"},
     {"render", command_render, "render hair to a PNG or EXR file"},
     {"reference", command_reference, "render hair by path tracing, with its standard error"},
     {"compare", command_compare, "print the errors of tiers against a path-traced picture"},

@@ -174,6 +174,7 @@
     X(UNIFORM4I, Uniform4i)                                                                        \
     X(UNIFORM4IV, Uniform4iv)                                                                      \
     X(UNIFORMBLOCKBINDING, UniformBlockBinding)                                                    \
+    X(UNIFORMMATRIX3X4FV, UniformMatrix3x4fv)                                                      \
     X(UNIFORMMATRIX3FV, UniformMatrix3fv)                                                          \
     X(UNIFORMMATRIX4FV, UniformMatrix4fv)                                                          \
     X(UNMAPBUFFER, UnmapBuffer)                                                                    \

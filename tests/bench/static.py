@@ -73,6 +73,9 @@ def measure(tsuya, tool):
         if len(fetches) != 1:
             raise cost.Failure(f'{name}: chips differ in their fetches: {sorted(fetches)}.')
         result[name, 'fetches', ''] = fetches.pop()
+        if name in tiers.TIERS and result[name, 'fetches', ''] != tiers.TIERS[name].fetches:
+            raise cost.Failure(f'{name}: {result[name, "fetches", ""]} fetches, '
+                               f'{tiers.TIERS[name].fetches} in {tiers.LIST.name}.')
         result[name, 'samplers', ''] = min(result[name, 'fetches', ''], 1)
         result[name, 'bytes', ''] = memory[tiers.TIERS[name].model] if name in tiers.TIERS else 0
     return result

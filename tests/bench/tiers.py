@@ -10,15 +10,16 @@ import cost
 HERE = pathlib.Path(__file__).resolve().parent
 LIST = HERE.parent.parent / 'demo' / 'bench' / 'tiers.inc'
 INPUTS = ('front', 'behind', 'direct', 'transmittance')
-Tier = collections.namedtuple('Tier', 'name model fine expression')
+Tier = collections.namedtuple('Tier', 'name model fine fetches expression')
 
 
 def read():
     """{name: Tier} in the file's order."""
-    found = re.findall(r'^TIER\((\w+), (\w+), ([01]),\s*((?:"[^"]*"\s*)+)\)', LIST.read_text('utf-8'),
+    found = re.findall(r'^TIER\((\w+), (\w+), ([01]), (\d+),\s*((?:"[^"]*"\s*)+)\)', LIST.read_text('utf-8'),
                        re.M)
-    return {name: Tier(name, model, fine == '1', ''.join(re.findall(r'"([^"]*)"', text)))
-            for name, model, fine, text in found}
+    return {name: Tier(name, model, fine == '1', int(fetches),
+                       ''.join(re.findall(r'"([^"]*)"', text)))
+            for name, model, fine, fetches, text in found}
 
 
 TIERS = read()

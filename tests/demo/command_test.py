@@ -16,6 +16,7 @@ import subprocess
 import sys
 import tempfile
 
+import command_bench  # noqa: F401, registers its cases
 import command_leaf  # noqa: F401, registers its cases
 import command_numbers  # noqa: F401, registers its cases
 import command_slab  # noqa: F401
@@ -24,7 +25,7 @@ from command_support import AZIMUTHAL, CASES, Wrong, case, expect, models, outpu
 from command_support import table, use
 
 TARGETS = ('330', '410', '450', '300es', '310es', 'vulkan')
-COMMANDS = ('models', 'glsl', 'bake', 'eval', 'render', 'compare', 'scenes')
+COMMANDS = ('models', 'glsl', 'bake', 'eval', 'bench', 'render', 'compare', 'scenes')
 
 
 @case

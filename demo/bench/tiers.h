@@ -1,0 +1,43 @@
+// The tiers and baselines whose cost is measured, and their fragment shaders.
+#ifndef TSUYA_DEMO_BENCH_TIERS_H
+#define TSUYA_DEMO_BENCH_TIERS_H
+
+#include "draw/program.h"
+
+#include <tsuya/shader.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace tsuya::bench
+{
+
+// A row of tiers.inc.
+struct Tier {
+    const char *name;
+    const tsu_model *model;
+    bool fine; // needs TSU_SHADER_FINE
+    int fetches;
+    const char *expression; // radiance of one light, GLSL
+};
+
+const std::vector<Tier> &tiers();
+
+// Bytes of the tables of one material of a model.
+std::size_t table_bytes(const tsu_model *model);
+
+// GLSL after the version line: varyings of stage.h, the library's functions, the tier's expression.
+// Throws std::runtime_error with the library's status.
+std::string fragment(tsu_context *context, const Tier &tier);
+
+// The files of tests/bench/baseline; ends with a NULL name.
+using draw::Source;
+extern const Source baseline_sources[];
+
+// What fragment() gives, of a shader of tests/bench/baseline: lambert, kajiya_kay or ggx.
+std::string baseline(const std::string &name);
+
+} // namespace tsuya::bench
+
+#endif
