@@ -7,8 +7,8 @@ Asks `tsuya eval` for what the shaders answer (--on gpu) and what the solver doe
 both sides, reflected and transmitted, three channels, 4 x 4 cosines of a Gauss rule and 4 azimuths.
 Rows of leaf.csv, tier,quantity,key,value:
 
-    error, reflected.NAME and transmitted.NAME    largest error of the lobe, as a fraction of the
-                 lobe's peak over these directions; channels and sides that give back less than 0.02
+    error, reflected.NAME and transmitted.NAME    largest error of a lobe, as a fraction of that
+                 lobe's peak over these directions (gloss is a lobe of its own); channels and sides that give back less than 0.02
                  of uniform light are left out, as in the models' error tables
     error, coat.NAME    of a tier without a coat where one is wanted: what the highlight adds, as a
                  fraction of the peak of all that is reflected
@@ -19,7 +19,7 @@ Rows of leaf.csv, tier,quantity,key,value:
                  coat the largest of all names
     *, species, NAME.R_top.r and so on: the leaves' colours
 
-Takes some five minutes of one core.
+Takes some six minutes of one core.
 """
 import argparse
 import csv
@@ -98,9 +98,10 @@ def lobe_errors(found, truth, name):
                 if hemisphere(truth, name, c, s, t) <= DIM:
                     continue
                 some = [d for d in directions() if d[:3] == (c, s, t)]
-                peak = max(truth[name, d][0] for d in some)
-                off = max(abs(sum(found[name, d]) - sum(truth[name, d])) for d in some)
-                worst[t] = max(worst[t], off / peak)
+                for lobe in (0, 1):  # the body's, then gloss, each of its own peak
+                    peak = max(truth[name, d][lobe] for d in some)
+                    off = max(abs(found[name, d][lobe] - truth[name, d][lobe]) for d in some)
+                    worst[t] = max(worst[t], off / peak if peak > 0.0 else 0.0)
     return worst
 
 

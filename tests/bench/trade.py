@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes the trade table, runtime/choose/trade.csv, from what was measured. Needs numpy.
 
-    trade.py [--tsuya COMMAND] [-o trade.csv]
+    trade.py [--tsuya COMMAND] [--scenes FILE] [--try FILE] [-o trade.csv]
 
     tests/bench/results/static.csv       clocks and the like, fetches (static gate)
     tests/bench/results/lobes.csv        light that is lost with a lobe
@@ -12,7 +12,8 @@
 
 The predictor (trade_predict.py): ln of a channel's relative MSE, and of its mean over the true one,
 as polynomials in seven traits, by least squares with weights 1 / (variance + s0^2) and a ridge.
-What is printed at the end tells how often a choice by it would hold, for scenes left out.
+What is printed tells how often a choice by it holds: for scenes left out of the fit, and for those of
+--try (or with split "test"), which it never saw.
 """
 import argparse
 import collections
@@ -32,7 +33,7 @@ RESULTS = ROOT / 'tests/bench/results'
 SCENES = ROOT / 'tests/reference/trade_scenes.csv'
 IMAGES = ROOT / 'tests/reference/images.csv'
 NOISE = 0.15  # s0: what no polynomial follows, so that quiet scenes do not rule the fit
-RIDGES = (0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0)
+RIDGES = (0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0)
 FEW = ('1', 'u', 'k', 'o', 'u*u', 'u*k', 'u*o')  # what 36 cells without traits can carry
 FOLDS = 10
 
@@ -60,23 +61,26 @@ class Scene:
     def __init__(self, name, split):
         self.name, self.split = name, split
         self.channels = [None] * 3
-        self.rms, self.luminance = {}, {}  # tier -> per channel (value, standard error)
+        self.rms, self.luminance = {}, {}  # tier -> channel -> (value, standard error)
+        self.picture = {}                  # tier -> (relative MSE, luminance error)
 
     def whole(self):
         return (None not in self.channels and set(self.rms) >= set(tp.HAIR)
                 and all(len(v) == 3 for v in self.rms.values()))
 
 
-def random_scenes():
+def random_scenes(path):
     """The scenes of trade_scenes.csv."""
     found = collections.OrderedDict()
-    for row in rows_of(SCENES):
+    for row in rows_of(path):
         scene = found.setdefault(row['scene'], Scene(row['scene'], row.get('split') or 'table'))
         c, tier = 'rgb'.index(row['channel']), row['tier']
         scene.channels[c] = {n: float(row[n]) for n in tp.RANGES}
         scene.rms.setdefault(tier, {})[c] = (float(row['rel_mse']), float(row['rel_mse_se']))
         scene.luminance.setdefault(tier, {})[c] = (float(row['mean_ratio']),
                                                    float(row['mean_ratio_se']))
+        if row.get('picture_rel_mse'):
+            scene.picture[tier] = (float(row['picture_rel_mse']), float(row['luminance_error']))
     return list(found.values())
 
 
@@ -141,7 +145,10 @@ def points_of(scenes, tier, what):
 
 
 def truth(scene, tier):
-    """(rms, luminance error) as the predictor defines them."""
+    """(rms, luminance error) of the picture; from the channels where it is not told."""
+    if tier in scene.picture:
+        mse, luminance = scene.picture[tier]
+        return math.sqrt(max(mse, 1e-12)), luminance
     mse = sum(scene.rms[tier][c][0] for c in range(3)) / 3.0
     weights = [tp.weight(c, scene.channels[c]['sigma_a']) for c in range(3)]
     gain = sum(w * scene.luminance[tier][c][0] for c, w in enumerate(weights)) / sum(weights)
@@ -250,15 +257,14 @@ class Writer:
         return '\n'.join(lines + [','.join(row) + ',' + v for row, v in self.rows.items()]) + '\n'
 
 
-def put_hair(out, scenes, names, ridge):
-    """Fits, spreads, means and ranges; returns predictions and spreads of scenes left out."""
-    fitted = [s for s in scenes if s.split != 'test']
-    predicted, spread = {}, {}
+def put_hair(out, fitted, names, ridge):
+    """Fits, spreads, means and ranges; returns fits, predictions and spreads of scenes left out."""
+    fits, predicted, spread = {}, {}, {}
     for tier in tp.HAIR:
         predicted[tier] = left_out(fitted, tier, names, ridge)
         spread[tier] = spreads(fitted, tier, predicted[tier])
-        for what, fit, s in zip(('rms', 'luminance'), fit_tier(fitted, tier, names, ridge),
-                                spread[tier]):
+        fits[tier] = fit_tier(fitted, tier, names, ridge)
+        for what, fit, s in zip(('rms', 'luminance'), fits[tier], spread[tier]):
             for term, coefficient in zip(tp.TERMS, fit):
                 out.put(tier, 'fit_' + what, term, coefficient)
             out.put(tier, 'spread', what, s)
@@ -278,7 +284,19 @@ def put_hair(out, scenes, names, ridge):
         values = [channel[name] for s in fitted for channel in s.channels]
         out.put('*', 'range', name + '.min', min(values))
         out.put('*', 'range', name + '.max', max(values))
-    return fitted, predicted, spread
+    return fits, predicted, spread
+
+
+def tell_tried(scenes, fits, ranges, clocks, spread, z):
+    """How a choice holds in scenes that the fit never saw."""
+    predicted = {t: {s.name: tp.predict(*fits[t], [tp.held(c, ranges)[0] for c in s.channels])
+                     for s in scenes} for t in tp.HAIR}
+    for tier in tp.HAIR:
+        off = spreads(scenes, tier, predicted[tier])
+        print(f'{tier:16} ln rms off by {off[0]:.3f}, ln luminance by {off[1]:.3f}, new scenes')
+    shares = judge(scenes, clocks, predicted, spread, z)
+    print(f'{len(scenes)} new scenes: {100 * shares[0]:.1f} % within, {100 * shares[1]:.1f} % within '
+          f'twice, {100 * shares[2]:.1f} % at a cost within 1.25')
 
 
 def pick_ridge(scenes, names):
@@ -341,23 +359,30 @@ def comments(path):
         return [line[1:].strip() for line in file if line.startswith('#')]
 
 
-def make(tsuya, static_path):
+def make(options):
     out = Writer()
-    tables, models = tables_of(tsuya)
-    static = long_form(static_path)
+    tables, models = tables_of(options.tsuya)
+    static = long_form(options.static)
     if not static:
-        raise Failure(f'{static_path} is not there')
+        raise Failure(f'{options.static} is not there')
     put_static(out, static, tables)
     put_stated(out, models)
-    random = SCENES.is_file()
-    scenes = [s for s in (random_scenes() if random else image_scenes()) if s.whole()]
+    random = options.scenes.is_file()
+    scenes = [s for s in (random_scenes(options.scenes) if random else image_scenes()) if s.whole()]
     names = set(tp.TERMS) if random else set(FEW)
     fitted = [s for s in scenes if s.split != 'test']
+    tried = [s for s in scenes if s.split == 'test']
+    tried += [s for s in random_scenes(options.tried) if s.whole()] if options.tried else []
     ridge = pick_ridge(fitted, names)
     print(f'{len(fitted)} scenes, ridge {ridge}')
-    fitted, predicted, spread = put_hair(out, scenes, names, ridge)
+    fits, predicted, spread = put_hair(out, fitted, names, ridge)
     clocks = {t: float(out.rows[(t, 'clocks', 'navi21')]) for t in tp.HAIR}
-    out.put('*', 'margin', 'z', pick_margin(fitted, clocks, predicted, spread))
+    z = pick_margin(fitted, clocks, predicted, spread)
+    out.put('*', 'margin', 'z', z)
+    if tried:
+        ranges = {n: [float(out.rows['*', 'range', f'{n}.{end}']) for end in ('min', 'max')]
+                  for n in tp.RANGES}
+        tell_tried(tried, fits, ranges, clocks, spread, z)
     leaf = long_form(RESULTS / 'leaf.csv')
     if not leaf:
         raise Failure('tests/bench/results/leaf.csv is not there: run leaf_error.py')
@@ -367,7 +392,7 @@ def make(tsuya, static_path):
         if row[1] == 'lobe_share':
             out.put(*row, value)
     source = [f'The trade table, made by tests/bench/trade.py from commit {commit()}.',
-              *(f'static cost: {c}' for c in comments(static_path)),
+              *(f'static cost: {c}' for c in comments(options.static)),
               f'pictures: {len(fitted)} scenes of tests/reference/'
               f'{SCENES.name if random else IMAGES.name}, ridge {ridge}',
               *(f'leaves: {c}' for c in comments(RESULTS / 'leaf.csv')),
@@ -380,10 +405,13 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('--tsuya', default='tsuya', help='the command (default: on the PATH)')
     parser.add_argument('--static', type=pathlib.Path, default=RESULTS / 'static.csv')
+    parser.add_argument('--scenes', type=pathlib.Path, default=SCENES)
+    parser.add_argument('--try', dest='tried', type=pathlib.Path, metavar='FILE',
+                        help='scenes as --scenes, not fitted')
     parser.add_argument('-o', type=pathlib.Path, default=ROOT / 'runtime/choose/trade.csv')
     options = parser.parse_args()
     try:
-        text = make(options.tsuya, options.static)
+        text = make(options)
     except (Failure, OSError) as failure:
         print(f'trade: {failure}', file=sys.stderr)
         return 1
