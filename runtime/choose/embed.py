@@ -157,14 +157,14 @@ def lobes(table, out):
         try:
             found[(cells[0], *map(float, cells[1:]))] = value
         except ValueError as error:
-            raise Failure(f'{table.path}: *,lobe_share,{key}: what is after / is no number') from error
+            raise Failure(f'{table.path}: *,lobe_share,{key}: no number after /') from error
     sigmas = sorted({key[-1] for key in found})
     depths = sorted({key[1] for key in found if key[0] == 'back'})
     rows = [('trt',), ('residual',), *(('back', depth) for depth in depths)]
     wanted = {(*row, sigma) for row in rows for sigma in sigmas}
     if not sigmas or not depths or set(found) != wanted:
-        raise Failure(f'{table.path}: *,lobe_share: expected trt/S, residual/S and back/N/S for all '
-                      f'S and N; differs in {sorted(wanted ^ set(found), key=str)[:3]}')
+        raise Failure(f'{table.path}: *,lobe_share: expected trt/S, residual/S and back/N/S for '
+                      f'all S and N; differs in {sorted(wanted ^ set(found), key=str)[:3]}')
     out.append(f'static const double lobe_sigma[] = {numbers(sigmas)};\n'
                f'static const double lobe_depth[] = {numbers(depths)};\n')
     shares = ', '.join(number(found[(*row, sigma)]) for row in rows for sigma in sigmas)

@@ -8,8 +8,9 @@ both sides, reflected and transmitted, three channels, 4 x 4 cosines of a Gauss 
 Rows of leaf.csv, tier,quantity,key,value:
 
     error, reflected.NAME and transmitted.NAME    largest error of a lobe, as a fraction of that
-                 lobe's peak over these directions (gloss is a lobe of its own); channels and sides that give back less than 0.02
-                 of uniform light are left out, as in the models' error tables
+                 lobe's peak over these directions (gloss is a lobe of its own); channels and sides
+                 that give back less than 0.02 of uniform light are left out, as in the models'
+                 error tables
     error, coat.NAME    of a tier without a coat where one is wanted: what the highlight adds, as a
                  fraction of the peak of all that is reflected
     luminance, NAME     error of hemispherical reflectance or transmittance, luminance under white
@@ -112,7 +113,8 @@ def coat_error(truth, body, name):
         for s in SIDES:
             some = [d for d in directions() if d[:3] == (c, s, 'R')]
             peak = max(sum(truth[name, d]) for d in some)
-            worst = max(worst, max(abs(body[name, d][0] - sum(truth[name, d])) for d in some) / peak)
+            off = max(abs(body[name, d][0] - sum(truth[name, d])) for d in some)
+            worst = max(worst, off / peak)
     return worst
 
 
@@ -172,7 +174,8 @@ def stated(models, model, name):
 def measure(tsuya, models, names):
     rows = colors(tsuya, names)
     body = ask(tsuya, 'leaf-body', 'reference', names)
-    truths = {'leaf_coarse': body, 'leaf_body': body, 'leaf': ask(tsuya, 'leaf', 'reference', names)}
+    coated = ask(tsuya, 'leaf', 'reference', names)
+    truths = {'leaf_coarse': body, 'leaf_body': body, 'leaf': coated}
     gloss = gloss_hemisphere(tsuya, names[0])
     for tier, function in FUNCTIONS.items():
         found = ask(tsuya, function, 'gpu', names)
@@ -220,9 +223,12 @@ def main():
         out.write('tier,quantity,key,value\n')
         out.writelines(f'{t},{q},{k},{v:.6g}\n' for t, q, k, v in rows)
     for tier in FUNCTIONS:
-        print(f'{tier:12} ' + ', '.join(
-            f'{what} {max((v for t, q, k, v in rows if t == tier and q == "error" and k.startswith(what + ".")), default=0.0):.4f}'
-            for what in ('reflected', 'transmitted', 'coat')))
+        most = {}
+        for t, quantity, key, value in rows:
+            if t == tier and quantity == 'error' and '.' in key:
+                what = key.split('.')[0]
+                most[what] = max(most.get(what, 0.0), value)
+        print(f'{tier:12} ' + ', '.join(f'{what} {value:.4f}' for what, value in most.items()))
     return 0
 
 

@@ -12,8 +12,8 @@
 
 The predictor (trade_predict.py): ln of a channel's relative MSE, and of its mean over the true one,
 as polynomials in seven traits, by least squares with weights 1 / (variance + s0^2) and a ridge.
-What is printed tells how often a choice by it holds: for scenes left out of the fit, and for those of
---try (or with split "test"), which it never saw.
+What is printed tells how often a choice by it holds: for scenes left out of the fit, and for those
+of --try (or with split "test"), which it never saw.
 """
 import argparse
 import collections
@@ -295,8 +295,8 @@ def tell_tried(scenes, fits, ranges, clocks, spread, z):
         off = spreads(scenes, tier, predicted[tier])
         print(f'{tier:16} ln rms off by {off[0]:.3f}, ln luminance by {off[1]:.3f}, new scenes')
     shares = judge(scenes, clocks, predicted, spread, z)
-    print(f'{len(scenes)} new scenes: {100 * shares[0]:.1f} % within, {100 * shares[1]:.1f} % within '
-          f'twice, {100 * shares[2]:.1f} % at a cost within 1.25')
+    print(f'{len(scenes)} new scenes: {100 * shares[0]:.1f} % within, {100 * shares[1]:.1f} % '
+          f'within twice, {100 * shares[2]:.1f} % at a cost within 1.25')
 
 
 def pick_ridge(scenes, names):
@@ -320,7 +320,8 @@ def put_static(out, static, tables):
         if (tier, 'bytes', '') not in out.rows:
             out.put(tier, 'bytes', '', str(tables[model]))
         if (tier, 'samplers', '') not in out.rows:
-            out.put(tier, 'samplers', '', '0' if float(out.rows[(tier, 'fetches', '')]) == 0 else '1')
+            fetches = float(out.rows[(tier, 'fetches', '')])
+            out.put(tier, 'samplers', '', '1' if fetches > 0 else '0')
         for gpu in tp.GPUS:
             if (tier, 'clocks', gpu) not in out.rows:
                 raise Failure(f'static.csv has no row {asked},clocks,{gpu}')
@@ -328,7 +329,8 @@ def put_static(out, static, tables):
 
 def tables_of(tsuya):
     """Bytes of the tables of each model."""
-    done = subprocess.run([tsuya, 'models', '--json'], check=True, stdout=subprocess.PIPE, text=True)
+    done = subprocess.run([tsuya, 'models', '--json'], check=True, stdout=subprocess.PIPE,
+                          text=True)
     models = json.loads(done.stdout)
     models = models['models'] if isinstance(models, dict) else models
     return {m['name']: sum(t['bytes'] for t in m['tables']) for m in models}, models

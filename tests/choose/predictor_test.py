@@ -3,8 +3,8 @@
 
     predictor_test.py ROWS TRADE_CSV
 
-ROWS prints scenes at random and the library's answers; tests/bench/trade_predict.py answers the same
-from TRADE_CSV, with the C library's exp and log. They agree within the float that is printed.
+ROWS prints scenes at random and the library's answers; tests/bench/trade_predict.py answers the
+same from TRADE_CSV, with the C library's exp and log. They agree within the float that is printed.
 """
 import csv
 import pathlib
