@@ -51,6 +51,12 @@ static int reject(const tsu_context *context, const char *field, double value, d
     return 1;
 }
 
+static int reject_wish(const tsu_context *context, const char *field, float value, double low,
+                       double high)
+{
+    return value != 0.0f && reject(context, field, (double)value, low, high);
+}
+
 static int reject_color(const tsu_context *context, const char *field, const float value[3],
                         double high)
 {
@@ -99,9 +105,9 @@ static int reject_rest(const tsu_context *context, const tsu_choose_desc *desc)
            reject(context, "environments", desc->environments, 0, 1000) ||
            reject(context, "target", desc->target, TSU_TARGET_330, TSU_TARGET_VULKAN) ||
            reject(context, "gpu", desc->gpu, TSU_CHOOSE_NAVI21, TSU_CHOOSE_GFX1100) ||
-           reject(context, "error_bound", (double)desc->error_bound, 0.0, 1e6) ||
-           reject(context, "luminance_bound", (double)desc->luminance_bound, 0.0, 1e6) ||
-           reject(context, "cost_budget", (double)desc->cost_budget, 0.0, 1e12) ||
+           reject_wish(context, "error_bound", desc->error_bound, 1e-6, 1e6) ||
+           reject_wish(context, "luminance_bound", desc->luminance_bound, 1e-6, 1e6) ||
+           reject_wish(context, "cost_budget", desc->cost_budget, 1e-3, 1e12) ||
            reject(context, "hysteresis", (double)desc->hysteresis, 0.0, 1.0);
 }
 

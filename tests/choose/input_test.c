@@ -85,9 +85,9 @@ static const struct {
               {TSU_CHOOSE_LEAF, FIELD(spread_R), ".spread_R = ", {-0.1f, 1.1e3f}},
               {TSU_CHOOSE_LEAF, FIELD(spread_T), ".spread_T = ", {-0.1f, 1.1e3f}},
               {TSU_CHOOSE_HAIR, FIELD(covered_pixels), ".covered_pixels = ", {-1.0f, 1.1e12f}},
-              {TSU_CHOOSE_LEAF, FIELD(error_bound), ".error_bound = ", {-0.1f, 1.1e6f}},
-              {TSU_CHOOSE_HAIR, FIELD(luminance_bound), ".luminance_bound = ", {-0.1f, 1.1e6f}},
-              {TSU_CHOOSE_HAIR, FIELD(cost_budget), ".cost_budget = ", {-1.0f, 1.1e12f}},
+              {TSU_CHOOSE_LEAF, FIELD(error_bound), ".error_bound = ", {9e-7f, 1.1e6f}},
+              {TSU_CHOOSE_HAIR, FIELD(luminance_bound), ".luminance_bound = ", {1e-45f, 1.1e6f}},
+              {TSU_CHOOSE_HAIR, FIELD(cost_budget), ".cost_budget = ", {9e-4f, 1.1e12f}},
               {TSU_CHOOSE_HAIR, FIELD(hysteresis), ".hysteresis = ", {-0.1f, 1.1f}}};
 
 static const struct {
@@ -166,7 +166,7 @@ static void the_ends_of_the_ranges_have_finite_answers(void **state)
         for (unsigned i = 0; i < 8; i++)
             memcpy((char *)&desc + floats[i].offset, &ends[i][corner >> i & 1], sizeof(float));
         desc.sigma_a[1] = desc.sigma_a[0];
-        desc.error_bound = corner & 1 ? 1e6f : 1e-30f;
+        desc.error_bound = corner & 1 ? 1e6f : 1e-6f;
         desc.area_lights = desc.environments = 1000;
         desc.covered_pixels = 1e12f;
         assert_int_equal(tsu_choose(context, &desc, &choice), TSU_OK);

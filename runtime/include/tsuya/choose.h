@@ -111,7 +111,7 @@ typedef struct tsu_choose_desc {
                                        // default 1e9
     float spread_R, spread_T;          // radius that holds 90 % of what spreads inside, the widest
                                        // channel's: reflected_radius, transmitted_radius of
-                              // tsu_leaf_scale, mm, [0, 1e3]; 0: a typical leaf's; default 0
+    // tsu_leaf_scale, mm, [0, 1e3]; 0: a typical leaf's; default 0
 
     // Light.
     float covered_pixels;        // pixels that the material covers, [0, 1e12], default 1e5
@@ -132,9 +132,9 @@ typedef struct tsu_choose_desc {
     tsu_choose_gpu gpu; // whose clocks are counted, default TSU_CHOOSE_NAVI21
 
     // The wish; 0: none. Without any, the tier of the smallest error.
-    float error_bound;     // on error_high, [0, 1e6], default 0
-    float luminance_bound; // on |luminance| with its margin, [0, 1e6], default 0
-    float cost_budget;     // on cost, clocks a pixel, [0, 1e12], default 0
+    float error_bound;     // on error_high, [1e-6, 1e6] or 0, default 0
+    float luminance_bound; // on |luminance| with its margin, [1e-6, 1e6] or 0, default 0
+    float cost_budget;     // on cost, clocks a pixel, [1e-3, 1e12] or 0, default 0
 
     // Animation.
     tsu_tier previous; // tier of the frame before, of the same kind; default TSU_TIER_NONE
