@@ -21,6 +21,7 @@ int command_glsl(int argc, char **argv);
 int command_bake(int argc, char **argv);
 int command_eval(int argc, char **argv);
 int command_bench(int argc, char **argv);
+int command_choose(int argc, char **argv);
 int command_reference(int argc, char **argv);
 
 // Defined in demo/scene.

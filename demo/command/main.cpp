@@ -27,6 +27,7 @@ const Command commands[] = {
     {"bench", command_bench, "measure what each tier costs on this machine"},
     {"render", command_render, "render hair to a PNG or EXR file"},
     {"reference", command_reference, "render hair by path tracing, with its standard error"},
+    {"choose", command_choose, "print the tier that a scene requires, its error and cost"},
     {"compare", command_compare, "print the errors of tiers against a path-traced picture"},
     {"scenes", command_scenes, "list the scenes that render knows"},
 };

@@ -17,6 +17,7 @@ import sys
 import tempfile
 
 import command_bench  # noqa: F401, registers its cases
+import command_choose  # noqa: F401, registers its cases
 import command_leaf  # noqa: F401, registers its cases
 import command_numbers  # noqa: F401, registers its cases
 import command_slab  # noqa: F401
@@ -25,7 +26,7 @@ from command_support import AZIMUTHAL, CASES, Wrong, case, expect, models, outpu
 from command_support import table, use
 
 TARGETS = ('330', '410', '450', '300es', '310es', 'vulkan')
-COMMANDS = ('models', 'glsl', 'bake', 'eval', 'bench', 'render', 'compare', 'scenes')
+COMMANDS = ('models', 'glsl', 'bake', 'eval', 'bench', 'render', 'choose', 'compare', 'scenes')
 
 
 @case
