@@ -22,8 +22,8 @@ Manual manual()
 {
     return {
         "glsl",
-        "MODEL[,MODEL...] --target TARGET [--drop LOBE,...] [--variant fine] [--harness] [--array "
-        "N]",
+        "MODEL[,MODEL...] --target TARGET [--drop LOBE,...] [--only NAME,...]\n"
+        "             [--variant fine] [--harness] [--array N]",
         "Prints the GLSL of one or more models: functions, structs and macros that begin with\n"
         "tsu_ or TSU_, one sampler tsu_tables and one block tsu_materials for all of them.\n"
         "Without --harness the text has no #version, no main, no in and no out: paste it after\n"
@@ -43,6 +43,10 @@ Manual manual()
          {"--harness", "",
           "one complete fragment shader: varyings t, l, v, sigma_a, flat material\n"
           "and the models' extra inputs; o = vec4(sum of all lobes, 1)"},
+         {"--only", "NAME,...",
+          "the text of these functions and what they need: eval, a variant (finite,\n"
+          "zinke, bent), what else follows tsu_M_ (uniform, ambient, reflected); a\n"
+          "harness calls the variant that is named"},
          {"--variant", "NAME",
           "fine: spend more where a model can use it; `tsuya eval F --variant\n"
           "fine` answers with the same text"},
@@ -96,7 +100,7 @@ bool drop_lobes(const std::string &list, std::uint32_t &flags, std::string &erro
 }
 
 bool describe(const Arguments &arguments, const std::vector<const tsu_model *> &models,
-              tsu_shader_desc &desc, std::string &error)
+              const std::string &only, tsu_shader_desc &desc, std::string &error)
 {
     tsu_shader_desc_init(&desc);
     const std::string target = arguments.get("--target");
@@ -110,6 +114,7 @@ bool describe(const Arguments &arguments, const std::vector<const tsu_model *> &
     }
     desc.model_count = std::uint32_t(models.size());
     desc.models = models.data();
+    desc.only = only.c_str();
     desc.flags = arguments.has("--harness") ? TSU_SHADER_HARNESS : 0;
     if (arguments.has("--variant")) {
         if (arguments.get("--variant") != "fine") {
@@ -160,8 +165,9 @@ int command_glsl(int argc, char **argv)
     }
     std::vector<const tsu_model *> models;
     tsu_shader_desc desc;
+    const std::string only = arguments.get("--only");
     if (!find_models(arguments.positional()[0], models, error) ||
-        !describe(arguments, models, desc, error)) {
+        !describe(arguments, models, only, desc, error)) {
         return complain("glsl", error, exit_bad_input);
     }
     Host host;

@@ -4,11 +4,16 @@
 #include "shade/assemble.h"
 #include "shade/dialect.h"
 
+#include <stddef.h>
+
 struct tsu_shader {
     const tsu_context *context;
     struct tsu_i_assembly assembly;
     uint64_t key;
 };
+
+// Without `only`.
+#define FIRST_LAYOUT offsetof(tsu_shader_desc, only)
 
 tsu_status tsu_shader_desc_init_sized(tsu_shader_desc *desc, size_t size)
 {
@@ -16,7 +21,7 @@ tsu_status tsu_shader_desc_init_sized(tsu_shader_desc *desc, size_t size)
                                       .target = TSU_TARGET_330,
                                       .array_materials = 1,
                                       .block_binding = 1};
-    return tsu_i_desc_init(desc, size, &defaults, sizeof defaults, sizeof defaults);
+    return tsu_i_desc_init(desc, size, &defaults, sizeof defaults, FIRST_LAYOUT);
 }
 
 enum {
@@ -58,6 +63,8 @@ static tsu_status check(const tsu_context *context, const tsu_shader_desc *desc)
         return reject(context, "function", desc->function, "a function of the one model asked for");
     if (desc->flags & TSU_SHADER_PROBE && desc->flags & DROPS)
         return reject(context, "flags", desc->flags, "no TSU_SHADER_DROP_* with a probe");
+    if (desc->flags & TSU_SHADER_PROBE && desc->only && desc->only[0])
+        return reject(context, "flags", desc->flags, "no TSU_SHADER_PROBE with `only`");
     if (desc->flags & TSU_SHADER_ARRAY && desc->target == TSU_TARGET_VULKAN)
         return reject(context, "flags", desc->flags, "no TSU_SHADER_ARRAY for Vulkan");
     if (desc->array_materials < 1 || desc->array_materials > 127)
@@ -72,9 +79,9 @@ tsu_status tsu_shader_create(tsu_context *context, const tsu_shader_desc *desc, 
     *out = NULL;
     if (!context)
         return TSU_E_PARAMETER;
-    tsu_shader_desc own;
+    tsu_shader_desc own = {0};
     tsu_status status =
-        tsu_i_desc_read(context, "tsu_shader_desc", desc, &own, sizeof own, sizeof own);
+        tsu_i_desc_read(context, "tsu_shader_desc", desc, &own, sizeof own, FIRST_LAYOUT);
     if (status == TSU_OK)
         status = check(context, &own);
     if (status == TSU_OK && own.flags & TSU_SHADER_PROBE &&

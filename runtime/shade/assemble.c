@@ -2,6 +2,7 @@
 
 #include "base/host.h"
 #include "shade/dialect.h"
+#include "shade/reach.h"
 #include "shade/snippet.h"
 #include "shade/strip.h"
 
@@ -196,12 +197,33 @@ static void put_varying(const struct assembler *a, uint32_t *location, const cha
     put(a, ";\n");
 }
 
+// The variant that a harness calls: the first one of the model's that `only` names, or NULL.
+static const tsu_variant_info *variant_of(const tsu_shader_desc *desc, const tsu_model *model)
+{
+    const char *word = desc->only;
+    for (size_t size; word && (size = tsu_i_only_word(&word)) > 0; word += size)
+        for (uint32_t i = 0; i < model->info.variant_count; i++)
+            if (strlen(model->variants[i].name) == size &&
+                memcmp(model->variants[i].name, word, size) == 0)
+                return model->variants + i;
+    return NULL;
+}
+
+// Whether a harness hands this input to the model.
+static int takes(const tsu_shader_desc *desc, const tsu_model *model, uint32_t input)
+{
+    const tsu_variant_info *variant = variant_of(desc, model);
+    return variant ? (variant->inputs >> input & 1u) != 0
+                   : !(model->inputs[input].flags & TSU_INPUT_VARIANT);
+}
+
 // Extra inputs are shared between models by name.
 static int extra_before(const tsu_shader_desc *desc, uint32_t model, const char *name)
 {
     for (uint32_t i = 0; i < model; i++)
         for (uint32_t k = 0; k < desc->models[i]->info.input_count; k++)
-            if (strcmp(desc->models[i]->inputs[k].name, name) == 0)
+            if (takes(desc, desc->models[i], k) &&
+                strcmp(desc->models[i]->inputs[k].name, name) == 0)
                 return 1;
     return 0;
 }
@@ -221,7 +243,7 @@ static void put_varyings(const struct assembler *a)
     for (uint32_t i = 0; i < a->desc->model_count; i++)
         for (uint32_t k = 0; k < a->desc->models[i]->info.input_count; k++) {
             const tsu_input_info *input = a->desc->models[i]->inputs + k;
-            if (input->flags & TSU_INPUT_EXTRA && !(input->flags & TSU_INPUT_VARIANT) &&
+            if (input->flags & TSU_INPUT_EXTRA && takes(a->desc, a->desc->models[i], k) &&
                 !extra_before(a->desc, i, input->name))
                 put_varying(a, &location, input->type, input->name);
         }
@@ -239,9 +261,14 @@ static void put_main(const struct assembler *a)
         put(a, model->info.name);
         put(a, "_sum(tsu_");
         put(a, model->info.name);
+        const tsu_variant_info *variant = variant_of(a->desc, model);
+        if (variant) {
+            put(a, "_");
+            put(a, variant->name);
+        }
         put(a, "_eval(");
         for (uint32_t k = 0; k < model->info.input_count; k++) {
-            if (model->inputs[k].flags & TSU_INPUT_VARIANT)
+            if (!takes(a->desc, model, k))
                 continue;
             put(a, k ? ", " : "");
             put(a, model->inputs[k].name);
@@ -291,7 +318,8 @@ tsu_status tsu_i_assemble(const tsu_context *context, const tsu_shader_desc *des
     }
     if (out->text.failed && status == TSU_OK)
         status = TSU_E_MEMORY;
-    if (status == TSU_OK)
-        tsu_i_strip(&out->text, desc->flags);
-    return status;
+    if (status != TSU_OK)
+        return status;
+    tsu_i_strip(&out->text, desc->flags);
+    return desc->only && desc->only[0] ? tsu_i_reach(context, desc, out) : TSU_OK;
 }

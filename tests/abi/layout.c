@@ -408,7 +408,7 @@ AT(tsu_region, width, 8);
 AT(tsu_region, height, 12);
 AT(tsu_region, generation, 16);
 
-SIZE(tsu_shader_desc, 48);
+SIZE(tsu_shader_desc, 56);
 AT(tsu_shader_desc, struct_size, 0);
 AT(tsu_shader_desc, flags, 4);
 AT(tsu_shader_desc, target, 8);
@@ -420,6 +420,7 @@ AT(tsu_shader_desc, set, 32);
 AT(tsu_shader_desc, sampler_binding, 36);
 AT(tsu_shader_desc, block_binding, 40);
 AT(tsu_shader_desc, reserved, 44);
+AT(tsu_shader_desc, only, 48);
 
 SIZE(tsu_choose_desc, 160);
 AT(tsu_choose_desc, struct_size, 0);

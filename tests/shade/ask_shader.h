@@ -28,5 +28,6 @@ int read_tests(void);
 int compile_tests(void);
 int shadow_tests(void);
 int drop_tests(void);
+int only_tests(void);
 
 #endif

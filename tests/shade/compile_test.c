@@ -63,6 +63,20 @@ static void compile_drops(const char *what)
         compile_models(what, TSU_SHADER_DROP_TRT | TSU_SHADER_FINE);
 }
 
+// Chosen entry points, and the harness that calls a variant.
+static void compile_only(const tsu_model *model)
+{
+    tsu_variant_info variant;
+    tsu_variant_info_init(&variant);
+    a.desc.only = "eval";
+    compile_models("eval alone", TSU_SHADER_HARNESS);
+    for (uint32_t v = 0; tsu_model_variant(model, v, &variant) == TSU_OK; v++) {
+        a.desc.only = variant.name;
+        compile_models(variant.name, TSU_SHADER_HARNESS);
+    }
+    a.desc.only = NULL;
+}
+
 static void compile_probes(const tsu_model *model)
 {
     tsu_model_info info;
@@ -119,8 +133,10 @@ static void everything_compiles(void **state)
                 compile_models(what, TSU_SHADER_ARRAY);
                 compile_models(what, TSU_SHADER_ARRAY | TSU_SHADER_HARNESS);
             }
-            if (!all)
+            if (!all) {
                 compile_probes(a.models[m]);
+                compile_only(a.models[m]);
+            }
         }
     }
     ask_close(&a);

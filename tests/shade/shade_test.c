@@ -2,5 +2,5 @@
 
 int main(void)
 {
-    return text_tests() + read_tests() + compile_tests() + shadow_tests() + drop_tests() != 0;
+    return text_tests() + read_tests() + compile_tests() + shadow_tests() + drop_tests() + only_tests() != 0;
 }

@@ -220,7 +220,7 @@ static void errors_of_the_descriptor(void **state)
     a.desc = good;
     a.desc.struct_size = 0;
     ask_refused(&a, TSU_E_STRUCT, "tsu_shader_desc");
-    a.desc.struct_size = sizeof a.desc - 4;
+    a.desc.struct_size = offsetof(tsu_shader_desc, only) - 4;
     ask_refused(&a, TSU_E_STRUCT, "tsu_shader_desc");
     a.desc = good;
     ask_close(&a);

@@ -107,6 +107,14 @@ typedef struct tsu_shader_desc {
     uint32_t sampler_binding; // Vulkan binding of tsu_tables, default 0
     uint32_t block_binding;   // Vulkan binding of tsu_materials, default 1
     uint32_t reserved;        // 0
+    // Functions wanted, names with commas or blanks between; NULL, the default, or "": all. A word
+    // is an entry point ("eval"), a variant ("finite", "zinke", "bent"), what else follows
+    // tsu_MODEL_
+    // ("uniform", "ambient", "reflected", "sigma_a"), or a whole name ("tsu_marschner_eval"). The
+    // text of a model that has one of them holds these, tsu_MODEL_sum and what they need; a model
+    // that has none stays whole. A harness calls the variant that is named. Not with
+    // TSU_SHADER_PROBE.
+    const char *only;
 } tsu_shader_desc;
 
 // Errors: TSU_E_STRUCT. Threads: any.
@@ -117,9 +125,9 @@ TSU_API tsu_status tsu_shader_desc_init_sized(tsu_shader_desc *desc, size_t size
 typedef struct tsu_shader tsu_shader;
 
 // Assemble. A model that is asked for twice appears once.
-// Errors: TSU_E_STRUCT, TSU_E_PARAMETER (no model, unknown target, flag or function), TSU_E_MEMORY,
-// TSU_E_HOST (the read callback gave text that breaks the naming rules: #version, main).
-// Threads: any.
+// Errors: TSU_E_STRUCT, TSU_E_PARAMETER (no model, unknown target, flag or function, a word of
+// `only` that no model has), TSU_E_MEMORY, TSU_E_HOST (the read callback gave text that breaks the
+// naming rules: #version, main). Threads: any.
 TSU_API tsu_status tsu_shader_create(tsu_context *context, const tsu_shader_desc *desc,
                                      tsu_shader **out);
 // NULL is fine. Threads: object.
