@@ -25,9 +25,11 @@ def read():
 TIERS = read()
 
 
-def source(tsuya, tier):
-    """A fragment shader for Vulkan: the model's harness with the tier's expression in it."""
-    words = [tsuya, 'glsl', tier.model, '--harness', '--target', 'vulkan']
+def source(tsuya, tier, *options):
+    """A fragment shader for Vulkan: the model's harness with the tier's expression in it.
+
+    Options go to `tsuya glsl`."""
+    words = [tsuya, 'glsl', tier.model, '--harness', '--target', 'vulkan', *options]
     text = cost.run(words + (['--variant', 'fine'] if tier.fine else []), tier.name)
     head, main = text.split('void main()')
     body = re.sub(r'(sum \+= ).*;', lambda match: f'{match[1]}{tier.expression};', main)
