@@ -58,6 +58,22 @@ def unknown_words_are_errors_with_a_suggestion():
     refused(['glsl', 'marschner', '--target', '460'], None, '450')
     refused(['glsl', 'marschner,', '--target', '450'], None, 'no model ""')
     refused(['glsl', 'marschner', '--target', '330', '--array', '128'], None, '[1, 127]')
+    glsl = ['glsl', 'marschner', '--target', '330']
+    refused([*glsl, '--drop', 'tr'], None, 'did you mean trt', 'residual')
+    refused([*glsl, '--drop', 'trt,'], None, 'no lobe ""')
+    refused([*glsl, '--only', 'finite'], None, 'only', '"finite"')
+
+
+@case
+def only_what_is_asked_for():
+    glsl = ('glsl', 'dual_scattering', '--target', '330')
+    whole, less = output(*glsl), output(*glsl, '--only', 'finite', '--drop', 'trt,residual,back')
+    expect(len(less) < 0.7 * len(whole), f'{len(less)} of {len(whole)} bytes')
+    expect('tsu_dual_scattering_finite_eval(' in less and 'zinke_eval' not in less, less)
+    harness = output(*glsl, '--harness', '--only', 'zinke')
+    expect('tsu_dual_scattering_sum(tsu_dual_scattering_zinke_eval(material' in harness, harness)
+    expect(' in float behind;' not in harness, harness)
+    expect(' in float behind;' in output(*glsl, '--harness', '--only', 'finite'), 'no behind')
 
 
 @case
