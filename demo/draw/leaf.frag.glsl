@@ -16,7 +16,10 @@ out vec4 o_color;               // alpha: share of the pixel that leaves cover
 vec3 shading_normal(vec2 slope)
 {
     vec3 n = normalize(v_normal);
-    vec3 t = normalize(v_tangent.xyz - n * dot(n, v_tangent.xyz));
+    // Tangents that cancel between vertices leave no frame, and the mesh's normal.
+    vec3 t = v_tangent.xyz - n * dot(n, v_tangent.xyz);
+    float size = dot(t, t);
+    t = size > 1e-8 ? t * inversesqrt(size) : vec3(0.0);
     vec3 b = v_tangent.w * cross(n, t);
     n = normalize(n - t * slope.x - b * slope.y);
     vec3 crown = dot(v_crown, n) < 0.0 ? -v_crown : v_crown;

@@ -163,8 +163,9 @@ void Plant::load_maps(const leaf::Maps &maps)
     gl_->GenerateMipmap(GL_TEXTURE_2D);
     gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    const GLint beyond = from.repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
+    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, beyond);
+    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, beyond);
 }
 
 void Plant::draw(const Part &part) const

@@ -43,10 +43,14 @@ float srgb_decode(float display);
 bool write_png(const std::string &path, const Image &image, std::string &error,
                Depth depth = Depth::eight);
 
+// How a PNG's levels stand for values: on the sRGB curve, or as they are, over the highest level.
+enum class Curve { srgb, none };
+
 // Reads any PNG into 1 to 4 linear channels: palettes are resolved, a transparent colour becomes an
-// alpha channel, 1 to 16 bits. The file is taken as sRGB whatever its gamma chunk says.
+// alpha channel, 1 to 16 bits. The file is taken as `curve` says whatever its gamma chunk does.
 // Errors: no such file, not a PNG, damaged. `image` is untouched then.
-bool read_png(const std::string &path, Image &image, std::string &error);
+bool read_png(const std::string &path, Image &image, std::string &error,
+              Curve curve = Curve::srgb);
 
 // Writes an EXR: scan lines, 32-bit float, ZIP compression, any number of channels under their
 // names, any value including infinities and NaN.

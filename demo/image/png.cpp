@@ -168,7 +168,7 @@ bool write_png(const std::string &path, const Image &image, std::string &error, 
         error);
 }
 
-bool read_png(const std::string &path, Image &image, std::string &error)
+bool read_png(const std::string &path, Image &image, std::string &error, Curve curve)
 {
     std::FILE *file = std::fopen(path.c_str(), "rb");
     if (!file) {
@@ -197,7 +197,8 @@ bool read_png(const std::string &path, Image &image, std::string &error)
         const float v = wide ? float(bytes[2 * i] * 256 + bytes[2 * i + 1]) / 65535.0F
                              : float(bytes[i]) / 255.0F;
         const int c = int(i % std::size_t(read.channels));
-        read.pixels[i] = is_alpha(c, read.channels) ? v : srgb_decode(v);
+        const bool plain = curve == Curve::none || is_alpha(c, read.channels);
+        read.pixels[i] = plain ? v : srgb_decode(v);
     }
     image = std::move(read);
     return true;

@@ -336,6 +336,9 @@ void paint(const Outline &outline, const Flat &lower, const Flat &size, Maps &ma
 
 std::vector<float> slopes(const Maps &maps)
 {
+    if (!maps.slope.empty()) {
+        return maps.slope;
+    }
     std::vector<float> out(maps.relief.size() * 2);
     const auto height = [&](int x, int y) {
         x = std::min(std::max(x, 0), maps.width - 1);

@@ -2,6 +2,7 @@
 #include "scene/keys.h"
 
 #include "leaf/generate.h"
+#include "scene/leaf_maps.h"
 
 #include <algorithm>
 
@@ -27,6 +28,27 @@ Key mesh_key()
                 return "";
             },
             [](const Scene &scene) { return scene.mesh; }};
+}
+
+Key leaf_map_key(const LeafMapKey &from)
+{
+    std::string Scene::*const path = from.path;
+    return {from.name,
+            leaf_group,
+            "none or PATH.png or PATH.exr",
+            from.help,
+            [=](Scene &scene, const std::string &text) -> std::string {
+                const std::size_t dot = text.rfind('.');
+                std::string ending = dot == std::string::npos ? "" : text.substr(dot);
+                std::transform(ending.begin(), ending.end(), ending.begin(),
+                               [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
+                if (text != "none" && ending != ".png" && ending != ".exr") {
+                    return "is \"" + text + "\"";
+                }
+                scene.*path = text;
+                return "";
+            },
+            [=](const Scene &scene) { return scene.*path; }};
 }
 
 // The material in words: a name, contents, or faces; faces replace the rest, and these them.
@@ -110,6 +132,13 @@ void add_leaf_keys(std::vector<Key> &keys)
         keys.push_back(map_key(tree_group, name, &Scene::tree, low, high, whole, help));
     };
     keys.push_back(mesh_key());
+    for (const LeafMapKey &key : leaf_map_keys()) {
+        keys.push_back(leaf_map_key(key));
+    }
+    keys.push_back(word_key(leaf_group, "mesh.normal_green", &Scene::normal_green, {"up", "down"},
+                            "of mesh.normal_map: along v (OpenGL), or against it (DirectX)"));
+    keys.push_back(number_key(leaf_group, "mesh.height_mm", &Scene::height_mm, 0.0, 1000.0,
+                              "millimetres that a value of 1 in mesh.height_map stands for"));
     keys.push_back(word_key(leaf_group, "leaf.shape", &Scene::shape, leaf::shapes(),
                             "like that of; gives the defaults of the rest"));
     leaf("length", 0.005, 1.0, false, "metres, of the blade along its midrib");

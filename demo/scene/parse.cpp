@@ -1,4 +1,5 @@
 #include "scene/keys.h"
+#include "scene/leaf_maps.h"
 #include "scene/scene.h"
 #include "scene/tiers.h"
 
@@ -179,8 +180,15 @@ Expected<Scene> read(const std::string &path, const Scene &base)
         scene->groom[5] != '/') {
         scene->groom.insert(5, folder);
     }
-    if (scene->mesh != base.mesh && scene->mesh != "none" && scene->mesh[0] != '/') {
-        scene->mesh.insert(0, folder);
+    std::vector<std::string Scene::*> paths = {&Scene::mesh};
+    for (const LeafMapKey &key : leaf_map_keys()) {
+        paths.push_back(key.path);
+    }
+    for (std::string Scene::*const path : paths) {
+        std::string &here = (*scene).*path;
+        if (here != base.*path && here != "none" && here[0] != '/') {
+            here.insert(0, folder);
+        }
     }
     return scene;
 }

@@ -2,6 +2,7 @@
 
 #include "leaf/read.h"
 #include "scene/build.h"
+#include "scene/leaf_maps.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -71,8 +72,18 @@ Expected<leaf::Plant> one_leaf(const Scene &scene, std::string &report)
         if (!loaded) {
             return Error{loaded.error()};
         }
+        Expected<leaf::Maps> maps = leaf_maps(scene, *loaded);
+        if (!maps) {
+            return Error{maps.error()};
+        }
         report = leaf::text(loaded->report);
-        return leaf::single(std::move(loaded->mesh));
+        if (!maps->empty()) {
+            report += "maps             " + std::to_string(maps->width) + "x" +
+                      std::to_string(maps->height) + (maps->repeat ? ", repeated\n" : "\n");
+        }
+        leaf::Plant plant = leaf::single(std::move(loaded->mesh));
+        plant.maps = std::move(*maps);
+        return Expected<leaf::Plant>(std::move(plant));
     }
     Expected<leaf::LeafParams> params = leaf::preset(scene.shape);
     if (!params) {
@@ -125,6 +136,10 @@ Expected<leaf::Plant> tree(const Scene &scene, std::string &report)
 Expected<Surface> surface(const Scene &scene)
 {
     Surface result;
+    const std::string map = leaf_map_given(scene);
+    if (!map.empty() && (scene.kind == "tree" || scene.mesh == "none")) {
+        return Error{map + " is for kind=leaf with a mesh; leaves that grow have their own maps"};
+    }
     Expected<leaf::Plant> plant =
         scene.kind == "tree" ? tree(scene, result.report) : one_leaf(scene, result.report);
     if (!plant) {

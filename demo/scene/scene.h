@@ -59,6 +59,12 @@ struct Scene {
     std::string head = "auto";
 
     std::string mesh = "none"; // or the path of an .obj or .ply file, for a leaf
+    std::string pigment_map = "none"; // or the path of a .png or .exr file: see leaf_maps.h
+    std::string thickness_map = "none";
+    std::string normal_map = "none";
+    std::string height_map = "none";
+    std::string normal_green = "up";
+    double height_mm = 1.0;
     std::string shape = "beech";
     std::map<std::string, double> leaf; // keys of a grown leaf that were given; angles in degrees
     std::map<std::string, double> tree; // keys of a grown tree that were given
@@ -121,7 +127,7 @@ Expected<Scene> parse(const std::string &text, const std::string &name, const Sc
 // whatever gave the colour before. Errors: as parse(), with "argument N" for the line.
 Expected<Scene> override(const Scene &base, const std::vector<std::string> &words);
 
-// Read the file `path`. A relative file: or mesh in it is taken from the file's folder.
+// Read the file `path`. A relative file:, mesh or map in it is taken from the file's folder.
 // Errors: it cannot be read; and as parse().
 Expected<Scene> read(const std::string &path, const Scene &base = {});
 

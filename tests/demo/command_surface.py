@@ -58,7 +58,8 @@ def what_is_no_leaf_is_refused():
         refused(['render', 'tree', 'leaves=9', '-o', picture], None, 'leaves', '[200, 20000]')
         refused(['render', 'tree', 'mesh=a.obj', '-o', picture], None, 'mesh', 'kind=leaf')
     said = output('scenes', '--help')
-    for key in ('kind=hair, leaf, tree', 'mesh=', 'leaf=young_green', 'chlorophyll=', 'leaf.shape=beech', 'leaf.veins', 'leaves=',
+    for key in ('kind=hair, leaf, tree', 'mesh=', 'mesh.pigment_map=none or PATH',
+                'mesh.height_mm=[0, 1000], default 1', 'leaf=young_green', 'chlorophyll=', 'leaf.shape=beech', 'leaf.veins', 'leaves=',
                 'tree.roundness'):
         expect(key in said, key)
     said = output('scenes', 'tree', 'leaf.fold_deg=12')

@@ -77,6 +77,27 @@ void png_round_trip(void **)
     assert_string_equal(error.c_str(), "");
 }
 
+// Levels as they are: what is on the curve in the file, for every number of channels and bits.
+void png_without_a_curve(void **)
+{
+    const std::string path = in_folder("a.png");
+    std::string error;
+    for (int channels = 1; channels <= 4; channels++) {
+        for (const Depth depth : {Depth::eight, Depth::sixteen}) {
+            const Image image = ramp(7, 5, channels);
+            Image back;
+            assert_true(write_png(path, image, error, depth));
+            assert_true(read_png(path, back, error, Curve::none));
+            const double bound = (depth == Depth::eight ? 0.5 / 255 : 0.5 / 65535) + 1e-6;
+            for (std::size_t i = 0; i < image.pixels.size(); i++) {
+                const bool alpha = channels % 2 == 0 && int(i) % channels == channels - 1;
+                const float there = alpha ? image.pixels[i] : srgb_encode(image.pixels[i]);
+                assert_float_equal(back.pixels[i], there, bound);
+            }
+        }
+    }
+}
+
 void png_alpha_is_linear(void **)
 {
     const std::string path = in_folder("alpha.png");
@@ -216,7 +237,7 @@ int main()
         cmocka_unit_test(srgb_known_values),   cmocka_unit_test(png_round_trip),
         cmocka_unit_test(png_alpha_is_linear), cmocka_unit_test(exr_round_trip),
         cmocka_unit_test(exr_named_channels),  cmocka_unit_test(writing_refuses),
-        cmocka_unit_test(reading_refuses),
+        cmocka_unit_test(reading_refuses),     cmocka_unit_test(png_without_a_curve),
     };
     return cmocka_run_group_tests(tests, make_folder, remove_folder);
 }
