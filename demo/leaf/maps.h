@@ -18,8 +18,8 @@ struct Maps {
     // Factor on the material's absorbers. Grown: [pigment_least, pigment_most], mean over the blade
     // 1 within 1 %, least on veins. From a file: [0, pigment_most].
     std::vector<float> pigment;
-    // Factor on the blade's thickness, [thickness_least, thickness_most]. Grown: mean over the blade
-    // 1 within 1 %, most on midrib and veins.
+    // Factor on the blade's thickness, [thickness_least, thickness_most]. Grown: mean over the
+    // blade 1 within 1 %, most on midrib and veins.
     std::vector<float> thickness;
     // Of the sheet's middle above the flat blade, metres, towards the upper side: veins are furrows
     // above and ridges below.
@@ -37,7 +37,8 @@ struct Maps {
 };
 
 // Slopes of the relief along u and v, two numbers a texel: central differences over texels, metres
-// over metres; those of a file as they are. A normal in the frame (tangent, bitangent, normal) is (-first, -second, 1).
+// over metres; those of a file as they are. A normal in the frame (tangent, bitangent, normal) is
+// (-first, -second, 1).
 std::vector<float> slopes(const Maps &maps);
 
 } // namespace tsuya::leaf

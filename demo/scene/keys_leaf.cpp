@@ -40,8 +40,9 @@ Key leaf_map_key(const LeafMapKey &from)
             [=](Scene &scene, const std::string &text) -> std::string {
                 const std::size_t dot = text.rfind('.');
                 std::string ending = dot == std::string::npos ? "" : text.substr(dot);
-                std::transform(ending.begin(), ending.end(), ending.begin(),
-                               [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
+                std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) {
+                    return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+                });
                 if (text != "none" && ending != ".png" && ending != ".exr") {
                     return "is \"" + text + "\"";
                 }
