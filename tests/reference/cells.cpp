@@ -34,8 +34,9 @@ std::string Cell::name() const
 Expected<scene::Scene> scene_of(const Cell &cell, const std::vector<std::string> &words)
 {
     const std::string size = std::to_string(cell.size);
-    std::vector<std::string> all = {"color=" + cell.color, "light=" + cell.light,
-                                    "size=" + size + "x" + size};
+    const bool dyed = cell.color == "dyed";
+    std::vector<std::string> all = {dyed ? "sigma_a=1.2,0.35,0.03" : "color=" + cell.color,
+                                    "light=" + cell.light, "size=" + size + "x" + size};
     if (cell.dome != 1.5) {
         all.push_back("dome=" + std::to_string(cell.dome));
     }

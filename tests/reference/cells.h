@@ -31,7 +31,8 @@ const std::vector<Tier> &tiers();
 
 struct Cell {
     std::string groom; // straight, curly or the path of a groom file
-    std::string color, light;
+    std::string color; // a natural one by name, or dyed: blue
+    std::string light;
     double dome = 1.5; // radiance of the uniform sky
     int size = 256;    // pixels along each side
     std::uint64_t seed = 1;

@@ -164,7 +164,7 @@ int run(const Options &options)
     }
     for (const std::string &groom : options.grooms) {
         std::vector<Cell> cells;
-        for (const char *color : {"black", "brown", "blond", "white"}) {
+        for (const char *color : {"black", "brown", "blond", "white", "dyed"}) {
             for (const char *light : {"front", "side", "back"}) {
                 const Cell cell = {groom, color, light, options.dome, options.size, options.seed};
                 const bool asked =
