@@ -128,7 +128,7 @@ std::string rows(const Taken &taken, const Result &result)
                       static_cast<unsigned long long>(result.samples), f.mean.value, f.mean.error,
                       f.mean_error.value, f.mean_error.error, f.rel_mse.value, f.rel_mse.error,
                       taken.seconds[k] / taken.seconds[0]);
-        text += line + line_of(taken.scene) + "\n";
+        text += line + ("\"" + line_of(taken.scene)) + "\"\n";
     }
     return text;
 }
