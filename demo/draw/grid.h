@@ -2,8 +2,8 @@
 //
 // Hair is spread over the cells of a grid as optical density, fibres per metre of a straight way: a
 // fibre of length s and diameter w in a volume V is met w s sin(a) / V times per metre, a being the
-// angle between fibre and way. A cell keeps w s / V and the mean of t t^T over its fibres' tangents t,
-// of which sqrt(1 - d.(t t^T) d) is the mean sine for a way d, exact where a cell's fibres are
+// angle between fibre and way. A cell keeps w s / V and the mean of t t^T over its fibres' tangents
+// t, of which sqrt(1 - d.(t t^T) d) is the mean sine for a way d, exact where a cell's fibres are
 // parallel. A sweep from the light through the grid adds it up.
 #ifndef TSUYA_DRAW_GRID_H
 #define TSUYA_DRAW_GRID_H
@@ -11,6 +11,7 @@
 #include "groom/groom.h"
 
 #include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <vector>
@@ -21,6 +22,9 @@ namespace tsuya::draw {
 struct Solid {
     glm::vec3 centre{0.0f};
     glm::vec3 semi_axes{0.0f};
+    // A neck under it: an upright elliptic cylinder, in x and z; no axes: there is none.
+    glm::vec2 neck_centre{0.0f}, neck_axes{0.0f};
+    glm::vec2 neck_span{0.0f}; // y of its ends
 };
 
 class Grid
@@ -69,7 +73,7 @@ class Grid
     glm::ivec3 size_{0};
     glm::vec3 corner_{0.0f};
     float cell_ = 1.0f;
-    std::vector<float> density_; // w s / V
+    std::vector<float> density_;   // w s / V
     std::vector<glm::mat3> along_; // the same times t t^T
     std::vector<char> solid_;      // 1: cell of the solid
 };

@@ -17,7 +17,7 @@ bool MapsAsked::operator==(const MapsAsked &other) const
     return technique == other.technique && layers == other.layers && size == other.size &&
            opacity == other.opacity && format == other.format && width_scale == other.width_scale &&
            taper == other.taper && model == other.model && to_solid == other.to_solid &&
-           directions == other.directions;
+           neck == other.neck && neck_span == other.neck_span && directions == other.directions;
 }
 
 Maps::~Maps()
@@ -168,6 +168,8 @@ void Maps::pass(const Program &program, const MapsAsked &asked, const Strands &s
     // Every segment ends by itself: sums must be width times length, joints need not look closed.
     program.set("u_thin", 1e9f);
     program.set("u_to_solid", asked.to_solid);
+    program.set("u_neck", asked.neck);
+    program.set("u_neck_span", asked.neck_span.x, asked.neck_span.y);
     for (std::size_t i = 0; i < plans_.size(); i++) {
         const tsu_hair_shadow_plan &plan = plans_[i];
         const GLsizei size = GLsizei(plan.size);
@@ -252,8 +254,8 @@ void Maps::bind(const Program &program, int unit, bool on) const
     for (const tsu_hair_shadow_plan &plan : plans_) {
         records.insert(records.end(), plan.record, plan.record + 48);
     }
-    gl_->Uniform4fv(gl_->GetUniformLocation(program.id(), "u_shadow"),
-                    GLsizei(records.size() / 4), records.data());
+    gl_->Uniform4fv(gl_->GetUniformLocation(program.id(), "u_shadow"), GLsizei(records.size() / 4),
+                    records.data());
 }
 
 } // namespace tsuya::draw

@@ -32,9 +32,11 @@ struct MapsAsked {
     tsu_format format = 0;                // that sums up; 0: the best that the context blends
     float width_scale = 1.0f;
     float taper = 0.1f;
-    glm::mat4 model{1.0f};                // groom to world
-    glm::mat4 to_solid{0.0f};             // world to where the head is the unit sphere; 0: no head
-    std::vector<glm::vec3> directions;    // towards the lights, world; at most maps_most
+    glm::mat4 model{1.0f};    // groom to world
+    glm::mat4 to_solid{0.0f}; // world to where the head is the unit sphere; 0: no head
+    glm::vec4 neck{0.0f};     // draw/solid.glsl
+    glm::vec2 neck_span{0.0f};
+    std::vector<glm::vec3> directions; // towards the lights, world; at most maps_most
 
     bool operator==(const MapsAsked &other) const;
 };

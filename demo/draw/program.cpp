@@ -91,6 +91,11 @@ void Program::set(const char *name, const glm::vec3 &value) const
     gl_->Uniform3fv(gl_->GetUniformLocation(id_, name), 1, &value.x);
 }
 
+void Program::set(const char *name, const glm::vec4 &value) const
+{
+    gl_->Uniform4f(gl_->GetUniformLocation(id_, name), value.x, value.y, value.z, value.w);
+}
+
 void Program::set(const char *name, const glm::mat4 &value) const
 {
     gl_->UniformMatrix4fv(gl_->GetUniformLocation(id_, name), 1, GL_FALSE, &value[0].x);

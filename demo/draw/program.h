@@ -7,6 +7,7 @@
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include <string>
 #include <vector>
@@ -54,6 +55,7 @@ class Program
     void set(const char *name, int value) const;
     void set(const char *name, float value) const;
     void set(const char *name, const glm::vec3 &value) const;
+    void set(const char *name, const glm::vec4 &value) const;
     void set(const char *name, const glm::mat4 &value) const;
     void set(const char *name, const std::vector<glm::vec3> &values) const;
     void set(const char *name, float x, float y) const;

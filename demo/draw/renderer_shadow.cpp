@@ -104,8 +104,8 @@ void Renderer::map_shadows(const Frame &frame)
         return;
     }
     MapsAsked asked;
-    asked.technique = frame.shadow == Shadow::deep_opacity ? tsu_deep_opacity()
-                                                           : tsu_opacity_shadow();
+    asked.technique =
+        frame.shadow == Shadow::deep_opacity ? tsu_deep_opacity() : tsu_opacity_shadow();
     asked.layers = frame.shadow_layers;
     asked.size = frame.shadow_size;
     asked.opacity = opacity(frame);
@@ -113,6 +113,8 @@ void Renderer::map_shadows(const Frame &frame)
     asked.taper = frame.taper;
     asked.model = frame.model;
     asked.to_solid = frame.head ? to_solid(frame) : glm::mat4(0.0f);
+    asked.neck = neck();
+    asked.neck_span = neck_span();
     for (const Light &light : frame.lights) {
         if (int(asked.directions.size()) < maps_most) {
             asked.directions.push_back(light.direction);
@@ -126,8 +128,8 @@ void Renderer::map_shadows(const Frame &frame)
         note_ = "shadow from the grid: " + programs.error();
         return;
     }
-    mapped_ = maps_->draw(shading_->context(), asked, (*programs)->front, (*programs)->layers,
-                          *strands_);
+    mapped_ =
+        maps_->draw(shading_->context(), asked, (*programs)->front, (*programs)->layers, *strands_);
     if (!mapped_) {
         note_ = "shadow from the grid: " + maps_->why();
     } else if (frame.lights.size() > asked.directions.size()) {
@@ -173,6 +175,8 @@ void Renderer::lights(const Program &program, const Frame &frame, Which which) c
     gl_.BindTexture(GL_TEXTURE_3D, beyond_);
     program.set("u_opacity", opacity(frame));
     program.set("u_to_solid", to_solid(frame));
+    program.set("u_neck", neck());
+    program.set("u_neck_span", neck_span().x, neck_span().y);
     maps_->bind(program, 5, mapped_ && which == Which::lights);
 }
 
@@ -188,6 +192,25 @@ glm::mat4 Renderer::to_solid(const Frame &frame) const
     const glm::vec3 axes = solid_.semi_axes - inset;
     return glm::scale(glm::mat4(1.0f), 1.0f / axes) *
            glm::translate(glm::mat4(1.0f), -solid_.centre) * glm::inverse(frame.model);
+}
+
+// The neck in that space; all 0 without one.
+glm::vec4 Renderer::neck() const
+{
+    const glm::vec2 axes = glm::vec2(solid_.semi_axes.x, solid_.semi_axes.z) - inset;
+    if (solid_.neck_axes.x <= 0.0f) {
+        return glm::vec4(0.0f);
+    }
+    const glm::vec2 centre =
+        (solid_.neck_centre - glm::vec2(solid_.centre.x, solid_.centre.z)) / axes;
+    return {centre, axes / (solid_.neck_axes - inset)};
+}
+
+glm::vec2 Renderer::neck_span() const
+{
+    return solid_.neck_axes.x > 0.0f
+               ? (solid_.neck_span - solid_.centre.y) / (solid_.semi_axes.y - inset)
+               : glm::vec2(0.0f);
 }
 
 } // namespace tsuya::draw

@@ -158,8 +158,7 @@ void grow(const HairParams &params, const Scalp &scalp, const Grower &grower, Ha
         const Root &root = roots[s];
         Random random(params.seed, 3 + std::uint64_t(s) * 2);
         const int side = grower.lock(root, random).side;
-        const double length =
-            cut(root) * (1.0 + params.length_variation * random.range(-1.0, 1.0));
+        const double length = cut(root) * (1.0 + params.length_variation * random.range(-1.0, 1.0));
         const Guide &guide = guides[nearest(guides, root.position, side)];
         const Vec *lead = &paths[std::size_t(&guide - guides.data()) * n];
 
@@ -210,6 +209,12 @@ Expected<HairyHead> make(const HairParams &params, const ScalpParams &from)
     const Ellipsoid body = scalp->body;
     out.centre = {float(body.centre.x), float(body.centre.y), float(body.centre.z)};
     out.semi_axes = {float(body.axes.x), float(body.axes.y), float(body.axes.z)};
+    if (scalp->neck) {
+        const float back = float(neck_depth), front = float(throat_depth);
+        out.neck_centre = {0.0f, 0.5f * (front - back)};
+        out.neck_axes = {float(neck_width), 0.5f * (front + back)};
+        out.neck_span = {float(head_bottom), float(neck_top) + 0.01f};
+    }
     return out;
 }
 

@@ -68,6 +68,9 @@ struct HairyHead {
     std::vector<std::uint32_t> root_face; // per strand, triangle of `scalp` its root is on
     glm::vec3 centre{0.0f};               // of the ellipsoid that hair is kept out of
     glm::vec3 semi_axes{0.0f};            // metres
+    // Of the elliptic cylinder around y that the built-in head's neck nearly is: centre and half
+    // axes in x and z, y of its ends; 0 with a head of your own.
+    glm::vec2 neck_centre{0.0f}, neck_axes{0.0f}, neck_span{0.0f};
 };
 
 // Grow hair. Roots are uniform by area over the scalp; strands leave a side

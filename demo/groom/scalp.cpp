@@ -32,7 +32,7 @@ Vec to_double(const glm::vec3 &v)
 // of the azimuth: 1 forehead, 0 ear, -1 nape. Chosen to look like a person.
 double hairline(double w)
 {
-    static const double knot[][2] = {{1.0, 54.0},  {0.82, 53.0}, {0.5, 68.0},  {0.25, 92.0},
+    static const double knot[][2] = {{1.0, 54.0},  {0.82, 53.0},  {0.5, 68.0},  {0.25, 92.0},
                                      {-0.2, 94.0}, {-0.5, 112.0}, {-1.0, 124.0}};
     for (int i = 1; i < 7; ++i) {
         if (w >= knot[i][0]) {
@@ -88,8 +88,7 @@ template <class At> TriMesh rings(int down, int around, bool closed, At at)
         }
     }
     if (closed) {
-        const Vertex bottom = mesh.add_vertex(
-            {0.0f, mesh.point(ring[0])[1], 0.0f});
+        const Vertex bottom = mesh.add_vertex({0.0f, mesh.point(ring[0])[1], 0.0f});
         for (int j = 0; j < around; ++j) {
             mesh.add_face(ring[std::size_t(j)], bottom, ring[std::size_t((j + 1) % around)]);
         }
@@ -106,7 +105,8 @@ Vec head_point(double ring, double sector)
     const double split = 0.7;
     const double turn = std::min(ring / split, 1.0) * 0.42;
     const double base = axes.y * cosine(0.42);
-    const double y = ring <= split ? axes.y * cosine(turn) : mix(base, -0.21, (ring - split) / 0.3);
+    const double y =
+        ring <= split ? axes.y * cosine(turn) : mix(base, head_bottom, (ring - split) / 0.3);
     const double u = y / axes.y;
     const double section = std::sqrt(std::max(0.0, 1.0 - u * u));
     const double low = smooth(-0.02, neck_top, y);
@@ -114,7 +114,7 @@ Vec head_point(double ring, double sector)
     double depth = std::max(axes.z * section, neck_depth * low);
     if (sz > 0.0) {
         const double chin = mix(axes.z * section, 0.088, smooth(-0.02, -0.09, y));
-        depth = mix(chin, 0.042, smooth(-0.100, -0.135, y));
+        depth = mix(chin, throat_depth, smooth(-0.100, -0.135, y));
     }
     const double jaw = smooth(-0.04, -0.1, y) * (1.0 - smooth(-0.105, -0.135, y));
     const double narrow = 1.0 - 0.45 * jaw * std::max(0.0, sz);
@@ -161,8 +161,8 @@ Mesh cut(const Mesh &head, const ScalpParams &params)
             sum = sum + to_double(head.positions[head.indices[k]]);
         }
         if (dot(sum, up) * (1.0 / 3.0) >= params.plane_offset) {
-            out.indices.insert(out.indices.end(), {head.indices[i], head.indices[i + 1],
-                                                   head.indices[i + 2]});
+            out.indices.insert(out.indices.end(),
+                               {head.indices[i], head.indices[i + 1], head.indices[i + 2]});
         }
     }
     return out;

@@ -31,6 +31,9 @@ struct Scalp {
 constexpr double neck_width = 0.050;
 constexpr double neck_depth = 0.070;
 constexpr double neck_top = -0.06;
+// In front, below the chin, it is less deep; and the head's mesh ends at this height.
+constexpr double throat_depth = 0.042;
+constexpr double head_bottom = -0.21;
 
 struct Root {
     Vec position;

@@ -140,8 +140,8 @@ bool leaf_layers(const Scene &scene, tsu_context *context, Material &material, s
 
 void put(Material &material, const tsu_parameter_info &p, const glm::dvec3 &value)
 {
-    float *field = reinterpret_cast<float *>(reinterpret_cast<char *>(material.params.data()) +
-                                             p.offset);
+    float *field =
+        reinterpret_cast<float *>(reinterpret_cast<char *>(material.params.data()) + p.offset);
     for (uint32_t i = 0; i < p.count && i < 3; i++) {
         field[i] = float(value[int(i)]);
     }
@@ -172,7 +172,8 @@ Expected<Hair> hair(const Scene &scene)
     result.groom = std::move(grown->groom);
     result.report = grown->report;
     result.head = std::move(grown->head);
-    result.solid = {grown->centre, grown->semi_axes};
+    result.solid = {grown->centre, grown->semi_axes, grown->neck_centre, grown->neck_axes,
+                    grown->neck_span};
     return Expected<Hair>(std::move(result));
 }
 
