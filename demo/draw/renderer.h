@@ -116,8 +116,8 @@ class Renderer
     enum class Which { lights, sky, both };
     void lights(const Program &program, const Frame &frame, Which which) const;
     glm::mat4 to_solid(const Frame &frame) const;
-    glm::vec4 neck() const;
-    glm::vec2 neck_span() const;
+    glm::vec4 neck(const Frame &frame) const;
+    glm::vec2 neck_span(const Frame &frame) const;
     void sky(const Frame &frame);
     void strands(const Program &program, const Frame &frame, int width, int height) const;
     void head(const Frame &frame);

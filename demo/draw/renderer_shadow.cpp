@@ -113,8 +113,8 @@ void Renderer::map_shadows(const Frame &frame)
     asked.taper = frame.taper;
     asked.model = frame.model;
     asked.to_solid = frame.head ? to_solid(frame) : glm::mat4(0.0f);
-    asked.neck = neck();
-    asked.neck_span = neck_span();
+    asked.neck = neck(frame);
+    asked.neck_span = neck_span(frame);
     for (const Light &light : frame.lights) {
         if (int(asked.directions.size()) < maps_most) {
             asked.directions.push_back(light.direction);
@@ -175,8 +175,8 @@ void Renderer::lights(const Program &program, const Frame &frame, Which which) c
     gl_.BindTexture(GL_TEXTURE_3D, beyond_);
     program.set("u_opacity", opacity(frame));
     program.set("u_to_solid", to_solid(frame));
-    program.set("u_neck", neck());
-    program.set("u_neck_span", neck_span().x, neck_span().y);
+    program.set("u_neck", neck(frame));
+    program.set("u_neck_span", neck_span(frame).x, neck_span(frame).y);
     maps_->bind(program, 5, mapped_ && which == Which::lights);
 }
 
@@ -194,11 +194,12 @@ glm::mat4 Renderer::to_solid(const Frame &frame) const
            glm::translate(glm::mat4(1.0f), -solid_.centre) * glm::inverse(frame.model);
 }
 
-// The neck in that space; all 0 without one.
-glm::vec4 Renderer::neck() const
+// The neck in that space; all 0 without one: hair that fills the place of a head
+// does not fill that of a neck.
+glm::vec4 Renderer::neck(const Frame &frame) const
 {
     const glm::vec2 axes = glm::vec2(solid_.semi_axes.x, solid_.semi_axes.z) - inset;
-    if (solid_.neck_axes.x <= 0.0f) {
+    if (!frame.head || solid_.neck_axes.x <= 0.0f) {
         return glm::vec4(0.0f);
     }
     const glm::vec2 centre =
@@ -206,9 +207,9 @@ glm::vec4 Renderer::neck() const
     return {centre, axes / (solid_.neck_axes - inset)};
 }
 
-glm::vec2 Renderer::neck_span() const
+glm::vec2 Renderer::neck_span(const Frame &frame) const
 {
-    return solid_.neck_axes.x > 0.0f
+    return frame.head && solid_.neck_axes.x > 0.0f
                ? (solid_.neck_span - solid_.centre.y) / (solid_.semi_axes.y - inset)
                : glm::vec2(0.0f);
 }
