@@ -8,6 +8,7 @@
 #include "scene/gallery.h"
 #include "scene/keys.h"
 #include "scene/picture.h"
+#include "scene/sheet.h"
 #include "scene/tiers.h"
 
 #include <algorithm>
@@ -96,6 +97,7 @@ const command::Manual &manual()
          {"--all", "", "every tier of hair"},
          {"--size", "WxH", "short for size=WxH"},
          {"--map", "FILE", "map of the errors to write, .png; of several tiers FILE_TIER.png"},
+         {"--sheet", "FILE", "contact sheet to write, .png: traced, tiers, maps of their errors"},
          {"--json", "", "print JSON"}},
         "  tsuya reference straight-brown --size 256x256 -o brown.exr\n"
         "  tsuya compare straight-brown --size 256x256 --all --reference brown.exr\n"
@@ -109,7 +111,7 @@ struct Task {
     Scene scene;
     std::string said; // about a groom from a file
     std::vector<Tier> tiers;
-    std::string reference, map;
+    std::string reference, map, sheet;
     bool json = false;
 };
 
@@ -118,6 +120,7 @@ Expected<Task> task_of(const command::Arguments &arguments)
     Task task;
     task.reference = arguments.get("--reference");
     task.map = arguments.get("--map");
+    task.sheet = arguments.get("--sheet");
     task.json = arguments.has("--json");
     const std::vector<std::string> &words = arguments.positional();
     if (words.empty()) {
@@ -171,6 +174,9 @@ Expected<Task> task_of(const command::Arguments &arguments)
     }
     if (arguments.has("--map") && std::filesystem::path(task.map).extension() != ".png") {
         return Error{"--map " + task.map + " must end in .png"};
+    }
+    if (arguments.has("--sheet") && std::filesystem::path(task.sheet).extension() != ".png") {
+        return Error{"--sheet " + task.sheet + " must end in .png"};
     }
     if (is_groom(words[0])) {
         const Expected<std::string> suited = suit(task.scene, changes);
@@ -323,6 +329,10 @@ int compare(const Task &task)
     if (!(figures[0].mean.value > 0.0)) {
         return complain("the hair in " + task.reference +
                         " is black; errors are shares of its light");
+    }
+    if (!task.sheet.empty() &&
+        !image::write_png(task.sheet, sheet(task.scene, traced, *pictures), error)) {
+        return complain(error, command::exit_failure);
     }
     for (std::size_t k = 0; k < pixels.size() && !task.map.empty(); k++) {
         if (!image::write_png(map_path(task, task.tiers[k].name),

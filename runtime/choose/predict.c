@@ -157,6 +157,13 @@ static uint32_t spread(const tsu_choose_desc *desc, uint32_t *outside)
     return 0.3989422804014327 * sigma / (double)desc->footprint > tolerance ? TSU_PASS_BLUR : 0;
 }
 
+// Lights that have a map.
+static double single(const tsu_choose_desc *desc)
+{
+    return (double)desc->directional_lights + (double)desc->point_lights +
+           (double)desc->area_lights;
+}
+
 static double evaluations(const tsu_choose_desc *desc)
 {
     const double n = (double)desc->directional_lights + (double)desc->point_lights +
@@ -213,6 +220,8 @@ void tsu_i_predict(const tsu_choose_desc *desc, struct tsu_i_field *field)
         out->tier = (tsu_tier)i;
         out->passes = blur;
         out->cost = tier->clocks[desc->gpu - TSU_CHOOSE_NAVI21] * count;
+        if (desc->shadow == TSU_CHOOSE_SHADOW_MAPS && desc->kind == TSU_CHOOSE_HAIR)
+            out->cost += tier->map_clocks[desc->gpu - TSU_CHOOSE_NAVI21] * single(desc);
         if (desc->kind == TSU_CHOOSE_HAIR)
             predict_hair(tier, &scene, out);
         else

@@ -21,7 +21,7 @@ struct tsu_i_trade_tier {
     const char *name, *model, *variant;
     tsu_choose_kind kind;
     uint32_t flags, drops; // lobes that its text can be without
-    double clocks[TSU_CHOOSE_GPUS];
+    double clocks[TSU_CHOOSE_GPUS], map_clocks[TSU_CHOOSE_GPUS];
     uint32_t fetches, bytes, samplers;
     const struct tsu_i_trade_fit *rms, *luminance; // hair
     // Leaves: a number for each species, the last for the whole range of the model.

@@ -12,7 +12,8 @@ results/static.csv is `tier,quantity,key,value`, the key a chip or nothing:
     fetches       from textures, a pixel and light
     bytes         of the tables of one material
     samplers      that the shader reads
-
+    map_clocks    that a look into a light's deep opacity map of 8 layers adds, where the tier
+                  asks for one: for counts and direct share, or for the transmittance alone
 Rows of the trade table (runtime/choose/trade.csv) with these quantities are held to the same.
 Figures belong to one version of Mesa; another one fails and says so. Exit: 0, or 1 after the
 reasons on stderr.
@@ -20,6 +21,7 @@ reasons on stderr.
 
 import csv
 import pathlib
+import re
 import sys
 import tempfile
 
@@ -29,6 +31,7 @@ import tiers
 HERE = pathlib.Path(__file__).resolve().parent
 RESULT = HERE / 'results' / 'static.csv'
 TRADE = HERE.parent.parent / 'runtime' / 'choose' / 'trade.csv'
+LOOKS = ('direct', 'transmittance')  # what a tier may ask the map for
 TARGETS = ('navi21', 'navi10', 'vega10', 'gfx1100')
 COLUMNS = {'inverse_throughput': 'clocks', 'instructions': 'instructions', 'latency': 'latency',
            'vgprs': 'vgprs', 'sgprs': 'sgprs', 'code_size': 'code_size'}
@@ -60,11 +63,16 @@ def measure(tsuya, tool):
         for tier in tiers.TIERS.values():
             shaders[tier.name] = folder / f'{tier.name}.frag'
             shaders[tier.name].write_text(tiers.source(tsuya, tier), encoding='utf-8')
+        for name, text in zip((*LOOKS, 'no look'), tiers.map_sources(tsuya)):
+            shaders[name] = folder / f'{name}.frag'
+            shaders[name].write_text(text, encoding='utf-8')
         files = {name: folder / f'{name}.spv' for name in shaders}
         for name, source in shaders.items():
             cost.compile_shader(source, files[name])
         rows = {target: statistics(tool, target, files.values()) for target in TARGETS}
     memory = tiers.table_bytes(tsuya)
+    none = str(files.pop('no look'))
+    looks = {name: str(files.pop(name)) for name in LOOKS}
     for name, file in files.items():
         for column, quantity in COLUMNS.items():
             for target in TARGETS:
@@ -76,6 +84,11 @@ def measure(tsuya, tool):
         if name in tiers.TIERS and result[name, 'fetches', ''] != tiers.TIERS[name].fetches:
             raise cost.Failure(f'{name}: {result[name, "fetches", ""]} fetches, '
                                f'{tiers.TIERS[name].fetches} in {tiers.LIST.name}.')
+        look = looks.get(next((word for word in LOOKS if name in tiers.TIERS and re.search(
+            rf'\b{word}\b', tiers.TIERS[name].expression)), None))
+        for target in TARGETS if look else ():
+            result[name, 'map_clocks', target] = (rows[target][look]['inverse_throughput'] -
+                                                  rows[target][none]['inverse_throughput'])
         result[name, 'samplers', ''] = min(result[name, 'fetches', ''], 1)
         result[name, 'bytes', ''] = memory[tiers.TIERS[name].model] if name in tiers.TIERS else 0
     return result

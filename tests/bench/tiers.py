@@ -45,6 +45,21 @@ def source(tsuya, tier, *options):
     return f'{head}void main(){body}'
 
 
+def map_sources(tsuya):
+    """Fragment shaders that take from a deep opacity map of 8 layers all that multiple scattering
+    asks for, the transmittance alone, and nothing: the differences are what a look costs."""
+    text = cost.run([tsuya, 'glsl', 'deep_opacity', '--target', 'vulkan'], 'deep_opacity')
+    head = ('#version 450\nlayout(location = 0) in vec3 position;\n'
+            'layout(location = 0) out vec4 o;\n')
+    maps = ''.join(f'layout(set = 0, binding = {i}) uniform sampler2D map{i};\n' for i in range(3))
+    read = (f'{head}{maps}layout(std140, set = 0, binding = 3) uniform host {{ vec4 record[12]; }};\n'
+            f'{text}void main()\n{{\n    tsu_hair_shadow s = tsu_deep_opacity_read8(map0, map1, map2, '
+            'record, position);\n    o = ')
+    return (f'{read}vec4(s.front, s.behind, s.direct, 1.0);\n}}\n',
+            f'{read}vec4(position, s.transmittance);\n}}\n',
+            f'{head}void main()\n{{\n    o = vec4(position, 1.0);\n}}\n')
+
+
 def table_bytes(tsuya):
     """{model: bytes of the tables of a material}."""
     models = json.loads(cost.run([tsuya, 'models', '--json'], 'the list of models'))['models']

@@ -7,8 +7,8 @@
     tests/bench/results/lobes.csv        light that is lost with a lobe
     tests/bench/results/leaf.csv         errors and colours of leaves (leaf_error.py)
     tests/reference/trade_scenes.csv     pictures of random scenes against traced ones
-    tests/reference/images.csv           the same for 36 cells by name; until trade_scenes.csv is
-                                         there the predictor is fitted on these, with few terms
+    tests/reference/images.csv           the same for grooms and colours by name: means a tone
+    tests/bench/results/*-*.csv          ns a pixel as ratios, measured (tsuya bench --csv)
 
 The predictor (trade_predict.py): ln of a channel's relative MSE, and of its mean over the true one,
 as polynomials in seven traits, by least squares with weights 1 / (variance + s0^2) and a ridge.
@@ -34,7 +34,6 @@ SCENES = ROOT / 'tests/reference/trade_scenes.csv'
 IMAGES = ROOT / 'tests/reference/images.csv'
 NOISE = 0.15  # s0: what no polynomial follows, so that quiet scenes do not rule the fit
 RIDGES = (0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0)
-FEW = ('1', 'u', 'k', 'o', 'u*u', 'u*k', 'u*o')  # what 36 cells without traits can carry
 FOLDS = 10
 
 
@@ -81,31 +80,6 @@ def random_scenes(path):
                                                    float(row['mean_ratio_se']))
         if row.get('picture_rel_mse'):
             scene.picture[tier] = (float(row['picture_rel_mse']), float(row['luminance_error']))
-    return list(found.values())
-
-
-def image_scenes():
-    """The cells of images.csv, whose traits are guessed from their names: for want of better."""
-    tiers = {'none': 'unshadowed', 'deep_opacity': 'marschner', 'zinke': 'zinke', 'exact': 'exact',
-             'kajiya_kay': 'kajiya_kay', 'plane_parallel': 'plane_parallel'}
-    sigma = {'black': (2.0, 3.3, 6.5), 'brown': (0.5447, 0.9061, 1.781),
-             'blond': (0.084, 0.14, 0.28), 'white': (0.001, 0.001, 0.001)}
-    light = {'front': 0.8, 'side': 0.2, 'back': -0.6}
-    found = collections.OrderedDict()
-    for row in rows_of(IMAGES):
-        if row['tier'] not in tiers or row['color'] not in sigma or row['light'] not in light:
-            continue
-        name = '/'.join((row['groom'], row['color'], row['light'], row['size']))
-        scene = found.setdefault(name, Scene(name, 'table'))
-        tier = tiers[row['tier']]
-        for c in range(3):
-            scene.channels[c] = {
-                'sigma_a': sigma[row['color']][c], 'sky_share': 0.6, 'strand_pixels': 0.5,
-                'light_cosine': light[row['light']], 'depth': 20.0,
-                'curl': 0.3 if row['groom'] == 'curly' else 0.0, 'beta_R': math.radians(7.5)}
-            ratio = 1.0 + float(row['mean_error'])
-            scene.rms.setdefault(tier, {})[c] = (float(row['rel_mse']), float(row['rel_mse_se']))
-            scene.luminance.setdefault(tier, {})[c] = (ratio, float(row['mean_error_se']))
     return list(found.values())
 
 
@@ -229,16 +203,17 @@ def pick_margin(scenes, clocks, predicted, spread):
     return best[1]
 
 
-def tone(scene):
-    """Hair's tone by sigma_a: of the red channel, and dyed where the order is no pigment's."""
-    sigma = [channel['sigma_a'] for channel in scene.channels]
-    if sigma[0] > 1.02 * sigma[1] or sigma[1] > 1.02 * sigma[2] or \
-            sigma[2] > 12.0 * max(sigma[0], 0.02):
-        return 'dyed'
-    for name, most in (('white', 0.02), ('blond', 0.25), ('brown', 1.2)):
-        if sigma[0] < most:
-            return name
-    return 'black'
+def tones():
+    """{(tier, tone): (rms, mean luminance error)} over the cells of images.csv."""
+    tiers = {'none': 'unshadowed', 'deep_opacity': 'marschner', 'exact': 'exact',
+             'kajiya_kay': 'kajiya_kay', 'plane_parallel': 'plane_parallel'}
+    found = collections.defaultdict(list)
+    for row in rows_of(IMAGES):
+        if row['tier'] in tiers and row['size'] == '256':
+            found[tiers[row['tier']], row['color']].append(row)
+    return {key: (math.sqrt(sum(float(r['rel_mse']) for r in rows) / len(rows)),
+                  sum(float(r['mean_error']) for r in rows) / len(rows))
+            for key, rows in found.items()}
 
 
 class Writer:
@@ -270,16 +245,9 @@ def put_hair(out, fitted, names, ridge):
             out.put(tier, 'spread', what, s)
         print(f'{tier:16} ln rms off by {spread[tier][0]:.3f}, ln luminance by '
               f'{spread[tier][1]:.3f}, scenes left out')
-    everyone = collections.defaultdict(list)
-    for scene in fitted:
-        everyone[tone(scene)].append(scene)
-    for tier in tp.HAIR:
-        for name in tp.TONES:
-            some = everyone[name] or fitted
-            pairs = [truth(s, tier) for s in some]
-            out.put(tier, 'rms', name, sum(p[0] for p in pairs) / len(pairs))
-            out.put(tier, 'luminance', name, sum(p[1] for p in pairs) / len(pairs))
-    print('scenes a tone: ' + ', '.join(f'{n} {len(everyone[n])}' for n in tp.TONES))
+    for (tier, name), (rms, luminance) in tones().items():
+        out.put(tier, 'rms', name, rms)
+        out.put(tier, 'luminance', name, luminance)
     for name in tp.RANGES:
         values = [channel[name] for s in fitted for channel in s.channels]
         out.put('*', 'range', name + '.min', min(values))
@@ -369,22 +337,29 @@ def make(options):
         raise Failure(f'{options.static} is not there')
     put_static(out, static, tables)
     put_stated(out, models)
-    random = options.scenes.is_file()
-    scenes = [s for s in (random_scenes(options.scenes) if random else image_scenes()) if s.whole()]
-    names = set(tp.TERMS) if random else set(FEW)
+    scenes = [s for s in random_scenes(options.scenes) if s.whole()]
+    names = set(tp.TERMS)
     fitted = [s for s in scenes if s.split != 'test']
     tried = [s for s in scenes if s.split == 'test']
     tried += [s for s in random_scenes(options.tried) if s.whole()] if options.tried else []
     ridge = pick_ridge(fitted, names)
     print(f'{len(fitted)} scenes, ridge {ridge}')
     fits, predicted, spread = put_hair(out, fitted, names, ridge)
-    clocks = {t: float(out.rows[(t, 'clocks', 'navi21')]) for t in tp.HAIR}
+    # A scene of two lights with maps and a sky.
+    clocks = {t: 14.0 * float(out.rows[t, 'clocks', 'navi21']) +
+                 2.0 * float(out.rows.get((t, 'map_clocks', 'navi21'), 0.0)) for t in tp.HAIR}
     z = pick_margin(fitted, clocks, predicted, spread)
     out.put('*', 'margin', 'z', z)
     if tried:
         ranges = {n: [float(out.rows['*', 'range', f'{n}.{end}']) for end in ('min', 'max')]
                   for n in tp.RANGES}
         tell_tried(tried, fits, ranges, clocks, spread, z)
+    measured = []
+    for path in sorted(RESULTS.glob('*-*.csv')):
+        measured += comments(path)
+        for (tier, quantity, key), value in long_form(path).items():
+            if tier in tp.embed.TIERS and quantity == 'pixel' and key.split('/')[1] in ('lambert', 'ggx'):
+                out.put(tier, quantity, key, value)
     leaf = long_form(RESULTS / 'leaf.csv')
     if not leaf:
         raise Failure('tests/bench/results/leaf.csv is not there: run leaf_error.py')
@@ -395,8 +370,9 @@ def make(options):
             out.put(*row, value)
     source = [f'The trade table, made by tests/bench/trade.py from commit {commit()}.',
               *(f'static cost: {c}' for c in comments(options.static)),
-              f'pictures: {len(fitted)} scenes of tests/reference/'
-              f'{SCENES.name if random else IMAGES.name}, ridge {ridge}',
+              f'pictures: {len(fitted)} scenes of tests/reference/{SCENES.name}, ridge {ridge}; '
+              f'means a tone: {IMAGES.name}',
+              *(f'pixels: {c}' for c in measured),
               *(f'leaves: {c}' for c in comments(RESULTS / 'leaf.csv')),
               *(f'lobes: {c}' for c in comments(RESULTS / 'lobes.csv'))]
     return out.text(source)

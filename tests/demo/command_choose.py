@@ -8,7 +8,7 @@ import tempfile
 from command_support import case, expect, output, refused, run
 
 HAIR = ('straight-brown', 'strands=500', 'width_scale=40', '--size', '48x48')
-TIERS = {'unshadowed', 'kajiya_kay', 'marschner', 'zinke', 'exact', 'plane_parallel'}
+TIERS = {'unshadowed', 'kajiya_kay', 'marschner', 'exact', 'plane_parallel'}
 KEYS = {'tier', 'model', 'variant', 'status', 'held', 'drop', 'passes', 'error', 'error_high',
         'luminance', 'luminance_high', 'target', 'cost', 'frame_cost', 'bytes', 'samplers', 'miss',
         'over', 'better', 'cheaper', 'outside', 'reason', 'traits', 'tiers', 'source'}

@@ -2,6 +2,7 @@
 // predictor in the trade table is fitted on, and what the chooser is tried on.
 //
 //   trade_sweep FILE.csv --from SEED --count N [--samples MOST] [--threads T]
+//               [--paths SEED]
 //   trade_sweep --print SEED     that scene, as a scene file
 //
 // Adds a scene's rows to FILE.csv at once when it is done; scenes that stand there are left alone,
@@ -49,6 +50,7 @@ const std::vector<Tier> tiers_on_offer = {
 struct Options {
     std::string path;
     std::uint64_t from = 1, count = 0, samples = 128;
+    std::uint64_t paths = 0; // other numbers, other paths through the same scenes
     unsigned threads = std::max(1u, std::thread::hardware_concurrency());
 };
 
@@ -67,6 +69,8 @@ bool parse(int argc, char **argv, Options &options)
             options.from = std::strtoull(value, nullptr, 10);
         } else if (word == "--count") {
             options.count = std::strtoull(value, nullptr, 10);
+        } else if (word == "--paths") {
+            options.paths = std::strtoull(value, nullptr, 10);
         } else if (word == "--samples") {
             options.samples =
                 std::strtoull(value, nullptr, 10) / Batches::count * std::uint64_t(Batches::count);
@@ -137,7 +141,8 @@ Expected<Drawn> take(scene::Studio &studio, std::uint64_t seed, const Options &o
     // Until every error is five times its standard error, or the most.
     for (drawn.samples = std::min<std::uint64_t>(48, options.samples);;
          drawn.samples = std::min(2 * drawn.samples, options.samples)) {
-        batches.bring(tracer, camera(frame), drawn.samples, seed, options.threads);
+        batches.bring(tracer, camera(frame), drawn.samples, seed + 1000003 * options.paths,
+                      options.threads);
         drawn.figures = figures(batches, drawn.pictures);
         const bool fine =
             std::all_of(drawn.figures.begin(), drawn.figures.end(),
@@ -194,10 +199,11 @@ int run(const Options &options)
             continue;
         }
         const Expected<Drawn> drawn = take(**studio, seed, options);
-        if (!drawn || !append(rows(seed, *drawn))) {
-            std::fprintf(stderr, "trade_sweep: scene %llu: %s\n",
-                         static_cast<unsigned long long>(seed),
-                         drawn ? "cannot write rows" : drawn.error().c_str());
+        if (!drawn) { // hair that cannot be grown: too few points for its curls
+            std::fprintf(stderr, "trade_sweep: without scene %llu: %s\n",
+                         static_cast<unsigned long long>(seed), drawn.error().c_str());
+        } else if (!append(rows(seed, *drawn))) {
+            std::fprintf(stderr, "trade_sweep: cannot write %s\n", options.path.c_str());
             return 1;
         }
     }
@@ -217,7 +223,7 @@ int main(int argc, char **argv)
     Options options;
     if (!parse(argc, argv, options)) {
         std::fprintf(stderr, "usage: trade_sweep FILE.csv --from SEED --count N [--samples MOST] "
-                             "[--threads T]\n");
+                             "[--threads T] [--paths SEED]\n");
         return 2;
     }
     try {

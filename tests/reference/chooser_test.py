@@ -1,0 +1,18 @@
+#!/usr/bin/env python3
+"""Runs chooser_test.cpp: chooser_test.py TRADE_SWEEP CHOOSER_TEST SCENES.csv FOLDER
+
+Measures ten of the committed scenes again, all sixty with TSUYA_LONG=1, with other paths of light.
+"""
+
+import os
+import pathlib
+import subprocess
+import sys
+
+sweep, judge, scenes, folder = sys.argv[1:]
+count = 60 if os.environ.get('TSUYA_LONG') == '1' else 10
+again = pathlib.Path(folder) / f'chooser_again_{count}.csv'
+again.unlink(missing_ok=True)
+subprocess.run([sweep, str(again), '--from', '1', '--count', str(count), '--paths', '1',
+                '--samples', '48'], check=True)
+sys.exit(subprocess.run([judge, scenes, str(again)], check=False).returncode)
