@@ -174,7 +174,7 @@ def plot_lod(path, folder):
         mine = [row for row in rows if row['scene'] == scene]
         away = sorted({float(row['distance']) for row in mine})
         panel = Panel((70 + 330 * i, 34, 265, 230), (away[0], away[-1]), (0.1, 12))
-        panel.axes(scene, away, (0.1, 0.2, 0.5, 1, 2, 5, 10), 'distance, metres',
+        panel.axes(scene, away, (0.1, 0.2, 0.5, 1, 2, 5, 10), 'distance (1: the head fills the picture)',
                    'root of relative MSE' if i == 0 else '')
         for tier in tiers:
             line = [(panel.x(float(row['distance'])), panel.y(float(row['rms'])))

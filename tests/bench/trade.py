@@ -33,8 +33,9 @@ RESULTS = ROOT / 'tests/bench/results'
 SCENES = ROOT / 'tests/reference/trade_scenes.csv'
 IMAGES = ROOT / 'tests/reference/images.csv'
 NOISE = 0.15  # s0: what no polynomial follows, so that quiet scenes do not rule the fit
-RIDGES = (0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0)
+RIDGES = (0.03, 0.1, 0.3, 1.0, 3.0, 10.0)
 FOLDS = 10
+SAFE = 0.935  # of scenes left out, so that nine in ten are left in scenes that are new in all
 
 
 class Failure(Exception):
@@ -186,7 +187,7 @@ def judge(scenes, clocks, predicted, spread, z):
 
 
 def pick_margin(scenes, clocks, predicted, spread):
-    """z where the worse of both shares is best; prints the course."""
+    """The least z that holds the bound in SAFE of the choices; prints the course."""
     print('     z   within the bound   within twice   cost within 1.25')
     best = None
     for i in range(0, 33):
@@ -195,12 +196,13 @@ def pick_margin(scenes, clocks, predicted, spread):
         if i % 2 == 0:
             print(f'{z:6.3f} {100 * shares[0]:12.1f} % {100 * shares[1]:14.1f} %'
                   f' {100 * shares[2]:14.1f} %')
-        key = min(shares[0], shares[2])
-        if best is None or key > best[0]:
-            best = (key, z, shares)
-    print(f'z = {best[1]}: {100 * best[2][0]:.1f} % within, {100 * best[2][1]:.1f} % within twice, '
-          f'{100 * best[2][2]:.1f} % at a cost within 1.25')
-    return best[1]
+        if best is None and shares[0] >= SAFE:
+            best = (z, shares)
+    if best is None:
+        raise Failure(f'no margin to z = 2 holds the bound in {100 * SAFE:.0f} % of the choices')
+    print(f'z = {best[0]}: {100 * best[1][0]:.1f} % within, {100 * best[1][1]:.1f} % within twice, '
+          f'{100 * best[1][2]:.1f} % at a cost within 1.25')
+    return best[0]
 
 
 def tones():

@@ -277,6 +277,7 @@ static void lights_are_counted_by_their_evaluations(void **state)
     (void)state;
     tsu_choose_desc desc;
     tsu_choose_desc_init(&desc);
+    desc.shadow = TSU_CHOOSE_SHADOW_COUNT;
     for (desc.gpu = TSU_CHOOSE_NAVI21; desc.gpu <= TSU_CHOOSE_GFX1100; desc.gpu++)
         for (tsu_tier t = 0; t < (tsu_tier)tsu_tier_count(); t++) {
             const tsu_tier_info info = tier_info(t);
@@ -292,6 +293,16 @@ static void lights_are_counted_by_their_evaluations(void **state)
             desc.environments = 1;
             assert_float_equal(predict(&desc, t).cost, (5.0f + 26.0f + 12.0f) * clocks,
                                1e-4f * clocks);
+            if (info.kind != TSU_CHOOSE_HAIR)
+                continue;
+            // Seven of these lights have a map; a look is some 300 clocks or more.
+            desc.shadow = TSU_CHOOSE_SHADOW_MAPS;
+            const float looks = predict(&desc, t).cost - 43.0f * clocks;
+            if (info.flags & TSU_TIER_SHADOW)
+                assert_in_range((int)(looks / 7.0f), 250, 1500);
+            else
+                assert_true(looks == 0.0f);
+            desc.shadow = TSU_CHOOSE_SHADOW_COUNT;
         }
 }
 
