@@ -21,7 +21,7 @@ SCENES = {
     'straight blond': ['groom=straight', 'color=blond', 'light=front'],
     'curly brown': ['groom=curly', 'color=brown', 'light=side'],
 }
-COMMON = ['strands=3000', 'width_scale=10', 'dome=1', 'size=72x72']
+COMMON = ['strands=3000', 'width_scale=10', 'dome=1', 'camera.azimuth_deg=120', 'size=72x72']
 ZOOMS = (4, 2, 1, 0.5, 0.25)
 
 

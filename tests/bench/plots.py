@@ -141,8 +141,8 @@ def plot_hair(table, folder):
         points = [p for p in points if p[2] is not None]
         if not points:
             continue
-        panel = Panel((62 + 190 * i, 34, 155, 210), (100, 1700), (0.15, 12))
-        panel.axes(tone, (130, 260, 500, 1300), (0.2, 0.5, 1, 2, 5, 10),
+        panel = Panel((62 + 190 * i, 34, 155, 210), (105, 650), (0.15, 12))
+        panel.axes(tone, (130, 260, 500), (0.2, 0.5, 1, 2, 5, 10),
                    'clocks' if i == 2 else '',
                    'root of relative MSE' if i == 0 else '')
         scatter(panel, points, False)
@@ -155,9 +155,10 @@ def plot_leaf(table, folder):
     panels = []
     for i, lobe in enumerate(('reflected', 'transmitted')):
         points = [(name, number(table[name], 'clocks', 'navi21'),
-                   number(table[name], 'error', lobe)) for name in tiers]
-        panel = Panel((70 + 390 * i, 34, 320, 210), (180, 360), (0.002, 1))
-        panel.axes(lobe, (200, 220, 260, 310), (0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5), 'clocks',
+                   max(float(value) for (quantity, key), value in table[name].items()
+                       if quantity == 'error' and key.startswith(lobe + '.'))) for name in tiers]
+        panel = Panel((70 + 390 * i, 34, 320, 210), (180, 360), (0.002, 0.1))
+        panel.axes(lobe, (200, 220, 260, 310), (0.002, 0.005, 0.01, 0.02, 0.05, 0.1), 'clocks',
                    'share of the peak, worst species' if i == 0 else '')
         scatter(panel, points, False)
         panels.append(panel)
