@@ -35,7 +35,7 @@ IMAGES = ROOT / 'tests/reference/images.csv'
 NOISE = 0.15  # s0: what no polynomial follows, so that quiet scenes do not rule the fit
 RIDGES = (0.03, 0.1, 0.3, 1.0, 3.0, 10.0)
 FOLDS = 10
-SAFE = 0.935  # of scenes left out, so that nine in ten are left in scenes that are new in all
+SAFE = 0.925  # of scenes left out, so that nine in ten are left in scenes that are new in all
 
 
 class Failure(Exception):
