@@ -4,9 +4,9 @@
     lod.py TSUYA -o LOD.csv [--bound B]
 
 Draws two heads of hair from nearer and farther in pictures of one size, traces each, and asks the
-chooser for a tier within B (default 0.45). Rows: scene, distance (1: the head fills the picture), width of a strand in
-pixels, tier, rms (root of relative MSE) with standard error, chosen: 1 for the chooser's tier,
-predicted: its error_high. plots.py --lod draws them. Takes minutes.
+chooser for a tier within B (default 0.45). Rows: scene, distance (1: the head fills the picture),
+width of a strand in pixels, tier, rms (root of relative MSE) with standard error, chosen: 1 for the
+chooser's tier, predicted: its error_high. plots.py --lod draws them. Takes minutes.
 """
 
 import argparse
