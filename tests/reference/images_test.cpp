@@ -13,7 +13,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <map>
-#include <sstream>
 #include <thread>
 #include <utility>
 
@@ -34,10 +33,16 @@ using Row = std::map<std::string, std::string>;
 
 std::vector<std::string> split(const std::string &line)
 {
-    std::vector<std::string> fields;
-    std::istringstream stream(line);
-    for (std::string field; std::getline(stream, field, ',');) {
-        fields.push_back(field);
+    std::vector<std::string> fields(1);
+    bool quoted = false; // a scene has commas in its colours
+    for (const char c : line) {
+        if (c == '"') {
+            quoted = !quoted;
+        } else if (c == ',' && !quoted) {
+            fields.emplace_back();
+        } else {
+            fields.back() += c;
+        }
     }
     return fields;
 }
