@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace tsuya::reference
 {
@@ -54,6 +55,31 @@ void Batches::bring(const Tracer &tracer, const Camera &camera, std::uint64_t sa
         const std::uint64_t own = seed * count + std::uint64_t(b);
         render(tracer, camera, {samples / count, own, threads}, films_[std::size_t(b)]);
     }
+}
+
+bool Batches::write(const std::string &prefix, std::uint64_t key) const
+{
+    bool good = true;
+    for (std::size_t b = 0; b < films_.size(); b++) {
+        good = good && films_[b].write(prefix + std::to_string(b), key);
+    }
+    return good;
+}
+
+std::uint64_t Batches::read(const std::string &prefix, std::uint64_t key)
+{
+    std::vector<Film> found;
+    for (std::size_t b = 0; b < films_.size(); b++) {
+        Expected<Film> film =
+            Film::read(prefix + std::to_string(b), key, films_[b].width(), films_[b].height());
+        // A run that was stopped between two files leaves batches of unlike weight.
+        if (!film || (b > 0 && film->at(0, 0).samples != found[0].at(0, 0).samples)) {
+            return 0;
+        }
+        found.push_back(std::move(*film));
+    }
+    films_ = std::move(found);
+    return films_[0].at(0, 0).samples * count;
 }
 
 void Batches::fill(int samples, const std::function<Sample(int, int, int)> &sample)

@@ -14,7 +14,9 @@
 #include "reference/film.h"
 #include "reference/render.h"
 
+#include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace tsuya::reference
@@ -34,6 +36,10 @@ class Batches
     // Bring the sum of all batches to this many samples a pixel, a multiple of `count`.
     void bring(const Tracer &tracer, const Camera &camera, std::uint64_t samples,
                std::uint64_t seed, unsigned threads);
+    // What was brought so far, in files `prefix` + number: whole or not at all, each.
+    bool write(const std::string &prefix, std::uint64_t key) const;
+    // Take up what write() left under the same key; returns its samples, 0 without any.
+    std::uint64_t read(const std::string &prefix, std::uint64_t key);
     // Put `samples` made-up ones a pixel into all batches together: sample(batch, pixel, number).
     void fill(int samples, const std::function<Sample(int, int, int)> &sample);
     // The sum of all, or of all but one.

@@ -2,14 +2,15 @@
 // predictor in the trade table is fitted on, and what the chooser is tried on.
 //
 //   trade_sweep FILE.csv --from SEED --count N [--samples MOST] [--threads T]
-//               [--paths SEED]
+//               [--paths SEED] [--films FOLDER]
 //   trade_sweep --print SEED     that scene, as a scene file
 //
 // Adds a scene's rows to FILE.csv at once when it is done; scenes that stand there are left alone,
 // so that the program goes on where it was stopped. A row is one colour channel of one tier: the
 // traits that the chooser goes by (scene/traits.h), rel MSE and error of the mean of that channel
 // and, the same in the three rows, of the picture (figures.h). Scenes: random_scene.h. The head is
-// there and lights the hair in the reference, as `tsuya reference` has it.
+// there and lights the hair in the reference, as `tsuya reference` has it. --films keeps what was
+// traced (some 10 MB a scene): with it a change to a tier asks for new pictures only.
 #include "reference/cells.h"
 #include "reference/random_scene.h"
 #include "reference/world.h"
@@ -42,13 +43,14 @@ const std::vector<Tier> tiers_on_offer = {
     {"unshadowed", {"model=kajiya_kay", "shadow=none"}},
     {"kajiya_kay", {"model=kajiya_kay", "shadow=deep_opacity"}},
     {"marschner", {"model=marschner", "shadow=deep_opacity"}},
-    {"zinke", {"model=dual_scattering", "variant=zinke", "shadow=deep_opacity"}},
     {"exact", {"model=dual_scattering", "shadow=deep_opacity"}},
     {"plane_parallel", {"model=plane_parallel_hair", "shadow=deep_opacity"}},
 };
 
+constexpr std::uint64_t least_samples = 48;
+
 struct Options {
-    std::string path;
+    std::string path, films;
     std::uint64_t from = 1, count = 0, samples = 128;
     std::uint64_t paths = 0; // other numbers, other paths through the same scenes
     unsigned threads = std::max(1u, std::thread::hardware_concurrency());
@@ -71,6 +73,8 @@ bool parse(int argc, char **argv, Options &options)
             options.count = std::strtoull(value, nullptr, 10);
         } else if (word == "--paths") {
             options.paths = std::strtoull(value, nullptr, 10);
+        } else if (word == "--films") {
+            options.films = value;
         } else if (word == "--samples") {
             options.samples =
                 std::strtoull(value, nullptr, 10) / Batches::count * std::uint64_t(Batches::count);
@@ -138,9 +142,18 @@ Expected<Drawn> take(scene::Studio &studio, std::uint64_t seed, const Options &o
     }
     const Tracer tracer(*world);
     Batches batches(plain->width, plain->height);
+    const std::string kept =
+        options.films.empty() ? "" : options.films + "/" + std::to_string(seed) + ".";
+    std::string text;
+    for (const std::string &word : words) {
+        text += word + "\n";
+    }
+    const std::uint64_t key = key_of(text.data(), text.size(), options.paths);
+    drawn.samples = kept.empty() ? 0 : batches.read(kept, key);
+    drawn.samples =
+        std::max(drawn.samples, std::min<std::uint64_t>(least_samples, options.samples));
     // Until every error is five times its standard error, or the most.
-    for (drawn.samples = std::min<std::uint64_t>(48, options.samples);;
-         drawn.samples = std::min(2 * drawn.samples, options.samples)) {
+    for (;; drawn.samples = std::min(2 * drawn.samples, options.samples)) {
         batches.bring(tracer, camera(frame), drawn.samples, seed + 1000003 * options.paths,
                       options.threads);
         drawn.figures = figures(batches, drawn.pictures);
@@ -148,6 +161,9 @@ Expected<Drawn> take(scene::Studio &studio, std::uint64_t seed, const Options &o
             std::all_of(drawn.figures.begin(), drawn.figures.end(),
                         [](const Figures &f) { return 5.0 * f.rel_mse.error < f.rel_mse.value; });
         if (fine || drawn.samples >= options.samples) {
+            if (!kept.empty() && !batches.write(kept, key)) {
+                return Error{"cannot write " + kept + "*"};
+            }
             return Expected<Drawn>(std::move(drawn));
         }
     }
@@ -223,7 +239,7 @@ int main(int argc, char **argv)
     Options options;
     if (!parse(argc, argv, options)) {
         std::fprintf(stderr, "usage: trade_sweep FILE.csv --from SEED --count N [--samples MOST] "
-                             "[--threads T] [--paths SEED]\n");
+                             "[--threads T] [--paths SEED] [--films FOLDER]\n");
         return 2;
     }
     try {
