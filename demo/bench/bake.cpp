@@ -15,22 +15,15 @@ namespace
 constexpr double budget = 2.5e8;
 
 // Milliseconds of one bake.
-double bake(tsu_context *context, const tsu_model *model)
+double bake(tsu_context *context, const Tier &tier)
 {
-    tsu_model_info info;
-    tsu_model_info_init(&info);
-    tsu_model_describe(model, &info);
-    std::vector<double> params((info.params_size + sizeof(double) - 1) / sizeof(double));
     tsu_set_desc desc;
     tsu_set_desc_init(&desc);
     tsu_set *set = nullptr;
     std::uint32_t material = 0;
-    tsu_status status = tsu_model_params_init(model, params.data(), info.params_size);
+    tsu_status status = tsu_set_create(context, &desc, &set);
     if (status == TSU_OK) {
-        status = tsu_set_create(context, &desc, &set);
-    }
-    if (status == TSU_OK) {
-        status = tsu_set_add(set, model, params.data(), &material);
+        status = tsu_set_add(set, tier.model, parameters(tier).data(), &material);
     }
     const double start = worked();
     if (status == TSU_OK) {
@@ -39,7 +32,7 @@ double bake(tsu_context *context, const tsu_model *model)
     const double time = worked() - start;
     tsu_set_destroy(set);
     if (status != TSU_OK) {
-        throw std::runtime_error(std::string(info.name) +
+        throw std::runtime_error(std::string(tier.name) +
                                  " does not bake: " + tsu_status_text(status));
     }
     return time * 1e-6;
@@ -55,20 +48,21 @@ Rows measure_bakes(int rounds)
     if (tsu_context_create(&desc, &context) != TSU_OK) {
         throw std::runtime_error("the library makes no context");
     }
-    std::map<const tsu_model *, double> times;
+    std::map<std::pair<const tsu_model *, std::uint32_t>, double> times;
     Rows rows;
     for (const Tier &tier : tiers()) {
-        if (table_bytes(tier.model) == 0) {
-            times[tier.model] = 0.0;
-        } else if (!times.count(tier.model)) {
+        const auto kind = std::make_pair(tier.model, params_flags(tier));
+        if (table_bytes(tier) == 0) {
+            times[kind] = 0.0;
+        } else if (!times.count(kind)) {
             std::vector<double> runs;
             const double start = worked();
             do {
-                runs.push_back(bake(context, tier.model));
+                runs.push_back(bake(context, tier));
             } while (rounds ? int(runs.size()) < rounds : worked() - start < budget);
-            times[tier.model] = median(std::move(runs));
+            times[kind] = median(std::move(runs));
         }
-        rows.push_back({tier.name, "bake_ms", "", times[tier.model]});
+        rows.push_back({tier.name, "bake_ms", "", times[kind]});
     }
     tsu_context_destroy(context);
     return rows;
@@ -79,7 +73,7 @@ Rows measure_memory()
     Rows rows;
     for (const Tier &tier : tiers()) {
         rows.push_back({tier.name, "fetches", "", double(tier.fetches)});
-        rows.push_back({tier.name, "bytes", "", double(table_bytes(tier.model))});
+        rows.push_back({tier.name, "bytes", "", double(table_bytes(tier))});
     }
     return rows;
 }

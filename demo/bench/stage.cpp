@@ -56,17 +56,6 @@ void require(tsu_status status, const char *what)
     }
 }
 
-// Default parameters of a model, aligned as every typed struct wants.
-std::vector<double> defaults(const tsu_model *model)
-{
-    tsu_model_info info;
-    tsu_model_info_init(&info);
-    require(tsu_model_describe(model, &info), "asking a model");
-    std::vector<double> params((info.params_size + sizeof(double) - 1) / sizeof(double));
-    require(tsu_model_params_init(model, params.data(), info.params_size), info.name);
-    return params;
-}
-
 } // namespace
 
 Context::Context()
@@ -124,11 +113,11 @@ Stage::Stage(const Context &context, tsu_context *library, int size)
     tsu_set_desc_init(&set_desc);
     require(tsu_set_create(library, &set_desc, &set_), "making a set");
     for (const Tier &tier : tiers()) {
-        if (std::find(models_.begin(), models_.end(), tier.model) == models_.end()) {
+        const auto kind = std::make_pair(tier.model, params_flags(tier));
+        if (std::find(kinds_.begin(), kinds_.end(), kind) == kinds_.end()) {
             std::uint32_t material = 0;
-            require(tsu_set_add(set_, tier.model, defaults(tier.model).data(), &material),
-                    tier.name);
-            models_.push_back(tier.model);
+            require(tsu_set_add(set_, tier.model, parameters(tier).data(), &material), tier.name);
+            kinds_.push_back(kind);
         }
     }
     require(tsu_set_bake(set_), "baking");
@@ -190,7 +179,9 @@ draw::Program Stage::tier(const Tier &tier)
 {
     draw::Program program = link(fragment(library_, tier));
     require(tsu_gl_program_setup(guest_, program.id(), unit, page_block), "tsu_gl_program_setup");
-    const auto at = std::find(models_.begin(), models_.end(), tier.model) - models_.begin();
+    const auto at =
+        std::find(kinds_.begin(), kinds_.end(), std::make_pair(tier.model, params_flags(tier))) -
+        kinds_.begin();
     program.set("chosen", int(at));
     const GLint numbers = gl_.GetUniformLocation(program.id(), "numbers");
     if (numbers >= 0) {

@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 
 namespace tsuya::bench
 {
@@ -78,7 +79,7 @@ class Stage
     int size_;
     tsu_set *set_ = nullptr;
     tsu_gl *guest_ = nullptr;
-    std::vector<const tsu_model *> models_; // by material
+    std::vector<std::pair<const tsu_model *, std::uint32_t>> kinds_; // model, flags; by material
     GLuint vertices_ = 0, framebuffer_ = 0, target_ = 0, block_ = 0;
 };
 

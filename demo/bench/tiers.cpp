@@ -20,13 +20,43 @@ const std::vector<Tier> &tiers()
     return all;
 }
 
-std::size_t table_bytes(const tsu_model *model)
+std::uint32_t params_flags(const Tier &tier)
+{
+    std::uint32_t flags = 0;
+    tsu_variant_info info;
+    tsu_variant_info_init(&info);
+    for (std::uint32_t i = 0; tsu_model_variant(tier.model, i, &info) == TSU_OK; i++) {
+        if (std::strstr(tier.expression, (std::string("_") + info.name + "_eval(").c_str())) {
+            flags |= info.params_flags;
+        }
+    }
+    return flags;
+}
+
+std::vector<double> parameters(const Tier &tier)
+{
+    tsu_model_info info;
+    tsu_model_info_init(&info);
+    tsu_model_describe(tier.model, &info);
+    std::vector<double> params((info.params_size + sizeof(double) - 1) / sizeof(double));
+    if (tsu_model_params_init(tier.model, params.data(), info.params_size) != TSU_OK) {
+        throw std::runtime_error(std::string(info.name) + " has no parameters");
+    }
+    std::uint32_t head[2]; // struct_size, flags
+    std::memcpy(head, params.data(), sizeof head);
+    head[1] |= params_flags(tier);
+    std::memcpy(params.data(), head, sizeof head);
+    return params;
+}
+
+std::size_t table_bytes(const Tier &tier)
 {
     std::size_t bytes = 0;
     tsu_table_info info;
     tsu_table_info_init(&info);
-    for (std::uint32_t i = 0; tsu_model_table(model, i, &info) == TSU_OK; i++) {
-        bytes += info.bytes;
+    const std::uint32_t flags = params_flags(tier);
+    for (std::uint32_t i = 0; tsu_model_table(tier.model, i, &info) == TSU_OK; i++) {
+        bytes += info.params_flags & ~flags ? 0 : info.bytes;
     }
     return bytes;
 }

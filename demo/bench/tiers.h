@@ -7,6 +7,7 @@
 #include <tsuya/shader.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,12 @@ struct Tier {
 
 const std::vector<Tier> &tiers();
 
-// Bytes of the tables of one material of a model.
-std::size_t table_bytes(const tsu_model *model);
+// Flags that the parameters of its material need: those of the variant that it calls.
+std::uint32_t params_flags(const Tier &tier);
+// Default parameters with these flags, aligned as every typed struct wants.
+std::vector<double> parameters(const Tier &tier);
+// Bytes of the tables of one material.
+std::size_t table_bytes(const Tier &tier);
 
 // GLSL after the version line: varyings of stage.h, the library's functions, the tier's expression.
 // Throws std::runtime_error with the library's status.

@@ -22,7 +22,7 @@ Manual manual()
 {
     return {
         "bake",
-        "MODEL [KEY=VALUE ...] -o FILE [--block FILE]",
+        "MODEL [KEY=VALUE ...] -o FILE [--block FILE] [--variant NAME]",
         "Bakes the tables of one material and writes the texture that tsu_tables samples and\n"
         "the page that tsu_materials holds. The material is number 0 of the page.\n"
         "\n"
@@ -52,6 +52,7 @@ Manual manual()
             "for this very material (seconds).\n",
         {{"-o", "FILE", "texture, .exr, .csv or .bin"},
          {"--block", "FILE", "page of the uniform block"},
+         {"--variant", "NAME", "with the tables of this variant alone as well"},
          {"--no-measure", "", "do not measure the errors"}},
         "  tsuya bake marschner -o hair.exr\n"
         "  tsuya bake marschner eta=1.5 beta_az_deg=12 color=blond -o hair.bin --block "
@@ -119,7 +120,8 @@ int bake(const Arguments &arguments, const tsu_model *model, Texture::Format for
             return complain("bake", error, exit_bad_input);
         }
     }
-    if (!material.finish(error)) {
+    if (!material.finish(error) ||
+        (arguments.has("--variant") && !material.vary(arguments.get("--variant"), error))) {
         return complain("bake", error, exit_bad_input);
     }
     Set set(host);

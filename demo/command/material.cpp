@@ -13,9 +13,11 @@
 #include <cstring>
 #include <stdexcept>
 
-namespace tsuya::command {
+namespace tsuya::command
+{
 
-namespace {
+namespace
+{
 
 bool is_angle(const tsu_parameter_info &parameter)
 {
@@ -94,6 +96,26 @@ Material::Material(Host &host, const tsu_model *model) : host_(host), model_(mod
         tsu_model_parameter(model, i, &parameter);
         parameters_.push_back(parameter);
     }
+}
+
+bool Material::vary(const std::string &variant, std::string &error)
+{
+    std::vector<std::string> names;
+    tsu_variant_info info;
+    tsu_variant_info_init(&info);
+    for (std::uint32_t i = 0; tsu_model_variant(model_, i, &info) == TSU_OK; i++) {
+        if (variant == info.name) {
+            std::uint32_t head[2]; // struct_size, flags
+            std::memcpy(head, storage_.data(), sizeof head);
+            head[1] |= info.params_flags;
+            std::memcpy(storage_.data(), head, sizeof head);
+            return true;
+        }
+        names.push_back(info.name);
+    }
+    error = "there is no variant \"" + variant + "\"" + suggestion(variant, names) + "; " +
+            (names.empty() ? "the model has none." : "the model has " + joined(names) + ".");
+    return false;
 }
 
 void *Material::params()

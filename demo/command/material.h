@@ -36,6 +36,9 @@ class Material
     // check the whole.
     bool finish(std::string &error);
 
+    // Asks for the tables of a variant. Errors: the model has none of that name.
+    bool vary(const std::string &variant, std::string &error);
+
     void *params();
     // Every key that set() takes.
     std::vector<std::string> keys() const;

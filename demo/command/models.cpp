@@ -11,7 +11,8 @@
 #include <cstring>
 #include <string>
 
-namespace {
+namespace
+{
 
 using namespace tsuya::command;
 
@@ -70,6 +71,19 @@ void parameters_json(Json &json, const tsu_model *model, const tsu_model_info &i
     json.close();
 }
 
+// The variant that a table is for; "": all.
+std::string variant_of(const tsu_model *model, const tsu_table_info &table)
+{
+    tsu_variant_info info;
+    tsu_variant_info_init(&info);
+    for (std::uint32_t i = 0; tsu_model_variant(model, i, &info) == TSU_OK; i++) {
+        if (table.params_flags & info.params_flags) {
+            return info.name;
+        }
+    }
+    return "";
+}
+
 void tables_json(Json &json, const tsu_model *model, const tsu_model_info &info)
 {
     json.key("tables").open('[');
@@ -79,7 +93,7 @@ void tables_json(Json &json, const tsu_model *model, const tsu_model_info &info)
         tsu_model_table(model, i, &t);
         json.open('{').field("name", t.name).field("format", "RGBA16F");
         json.field("width", std::uint64_t(t.width)).field("height", std::uint64_t(t.height));
-        json.field("bytes", std::uint64_t(t.bytes));
+        json.field("bytes", std::uint64_t(t.bytes)).field("variant", variant_of(model, t));
         json.field("axes", t.axes).field("channels", t.channels).close();
     }
     json.close();
@@ -204,7 +218,8 @@ std::string model_text(const tsu_model *model)
         tsu_table_info_init(&t);
         tsu_model_table(model, i, &t);
         text += "    " + cell(t.name, 12) + std::to_string(t.width) + " x " +
-                std::to_string(t.height) + " RGBA16F, " + std::to_string(t.bytes) + " bytes\n" +
+                std::to_string(t.height) + " RGBA16F, " + std::to_string(t.bytes) + " bytes" +
+                (t.params_flags ? ", variant " + variant_of(model, t) + " alone\n" : "\n") +
                 cell("    axes", 16) + t.axes + "\n" + cell("    channels", 16) + t.channels + "\n";
     }
     text += info.error_count ? "\n  errors\n" : "";
@@ -250,9 +265,8 @@ int command_models(int argc, char **argv)
     json.open('{').key("models").open('[');
     std::string text;
     for (std::uint32_t i = 0; i < tsu_model_count() + tsu_hair_shadow_count(); i++) {
-        const tsu_model *const model = i < tsu_model_count()
-                                           ? tsu_model_at(i)
-                                           : tsu_hair_shadow_at(i - tsu_model_count());
+        const tsu_model *const model =
+            i < tsu_model_count() ? tsu_model_at(i) : tsu_hair_shadow_at(i - tsu_model_count());
         if (only && model != only) {
             continue;
         }

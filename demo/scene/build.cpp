@@ -192,6 +192,16 @@ Expected<Material> material(const Scene &scene)
     result.params.resize(info.params_size / sizeof(std::max_align_t) + 1);
     tsu_model_params_init(result.model, result.params.data(), info.params_size);
 
+    tsu_variant_info variant;
+    tsu_variant_info_init(&variant);
+    for (uint32_t i = 0; tsu_model_variant(result.model, i, &variant) == TSU_OK; i++) {
+        if (result.variant == variant.name) {
+            uint32_t head[2]; // struct_size, flags
+            std::memcpy(head, result.params.data(), sizeof head);
+            head[1] |= variant.params_flags;
+            std::memcpy(result.params.data(), head, sizeof head);
+        }
+    }
     double eta = 1.55;
     for (uint32_t i = 0; i < info.parameter_count; i++) {
         tsu_parameter_info p;

@@ -4,7 +4,8 @@
 // Record: 0 to 5 as in marschner/eval.glsl, then
 //   6  place of the table "fields": x of the strongest absorption, origin y, x of an octave of
 //      absorption, extent y of a band of 32 rows
-//   7  place of "spread": origin x, y; extent x of the front axis
+//   7  place of "spread": origin x, y; extent x of the front axis; w first row and column of "zinke",
+//      row + column / 65536, or -1
 // and, in place of eta and where marschner leaves room:
 //   3.w  gamma, see fields.glsl
 //   4.w  d_b / (3 pi/4), factor on the light that comes back;  5.z  d_f / (3 pi/4), that goes on

@@ -24,14 +24,12 @@ void tsu_probe(int material, float x[16], out float y[8])
                                        material, t, l, v, sigma_a, tau, 0.0)).x;
         }
     }
-    vec4 place = TSU_RECORD(material, 6);
-    vec4 spread = TSU_RECORD(material, 7);
-    float x_fields = tsu_dual_scattering_columns(place, sigma_a).x;
-    float u = (x_fields - place.x) / place.z / 13.0 + 1.0;
-    y[0] = exp2(textureLod(tsu_tables, vec2(x_fields, cos(x[0]) * place.w + place.y +
-                                                          place.w * 1.03226139), 0.0).x);
-    y[1] = textureLod(tsu_tables, vec2(u * spread.z + spread.x, cos(x[0]) * place.w + spread.w),
-                      0.0).w;
+    vec4 place =
+        tsu_dual_scattering_zinke_place(TSU_RECORD(material, 6), TSU_RECORD(material, 7).w);
+    vec2 at = vec2(tsu_dual_scattering_columns(place, sigma_a).x, cos(x[0]) * place.w + place.y);
+    y[0] = exp2(textureLod(tsu_tables, at, 0.0).x);
+    at.y += 3.0 * place.w * 1.03226139;
+    y[1] = textureLod(tsu_tables, at, 0.0).w;
     y[2] = back * (6.28318531 / float(AZIMUTHS)) * (3.14159265 / float(INCLINATIONS));
     y[3] = behind / all;
 }

@@ -30,12 +30,21 @@ float tsu_dual_scattering_azimuth(vec3 c, float cos_phi)
     return max(0.15915494 * c.x + 0.20264237 * c.y * cos_phi - 0.06754746 * c.z * cos_3phi, 0.0);
 }
 
+// Place of the first band of the table "zinke", as record 6 has that of "fields": both have the same
+// axes.
+//   origin  record 7.w
+vec4 tsu_dual_scattering_zinke_place(vec4 place, float origin)
+{
+    float column = place.z * (13.0 / 63.0), row = place.w / 30.9999;
+    return vec4((fract(origin) * 65536.0 + 63.5) * column, (floor(origin) + 0.5) * row, place.zw);
+}
+
 // Inputs as tsu_dual_scattering_eval.
 tsu_dual_scattering_lobes tsu_dual_scattering_zinke_eval(int material, vec3 t, vec3 l, vec3 v,
                                                          vec3 sigma_a, float front, float direct)
 {
-    vec4 place = TSU_RECORD(material, 6);
-    vec4 spread = TSU_RECORD(material, 7);
+    float origin = TSU_RECORD(material, 7).w;
+    vec4 place = tsu_dual_scattering_zinke_place(TSU_RECORD(material, 6), origin);
     float d_f = TSU_RECORD(material, 5).z * 2.35619449; // 3 pi/4, see eval.glsl
 #ifndef TSU_DROP_BACK
     float d_b = TSU_RECORD(material, 4).w; // 0.75 of it is d_b / pi
@@ -49,18 +58,16 @@ tsu_dual_scattering_lobes tsu_dual_scattering_zinke_eval(int material, vec3 t, v
     float cos_phi = clamp((dot(l, v) - products.z) / products.x, -1.0, 1.0);
 
     vec3 columns = tsu_dual_scattering_columns(place, sigma_a);
-    // 13 octaves of the one table over the other's columns.
-    vec3 moments = ((columns - place.x) / place.z + 13.0) * (spread.z / 13.0) + spread.x;
     float y = cos_r * place.w + place.y;
     float band = place.w * 1.03226139; // 32 rows of a band over the 30.9999 of its extent
     tsu_dual_scattering_lobes lobes;
     lobes.single = direct * tsu_marschner_sum(tsu_marschner_eval(material, t, l, v, sigma_a));
     for (int k = 0; k < 3; k++) {
-        vec4 whole = textureLod(tsu_tables, vec2(columns[k], y + band), 0.0);
-        vec4 tt = textureLod(tsu_tables, vec2(columns[k], y + 2.0 * band), 0.0);
-        vec4 trt = textureLod(tsu_tables, vec2(columns[k], y + 3.0 * band), 0.0);
-        vec4 m = textureLod(tsu_tables, vec2(moments[k], cos_r * place.w + spread.w), 0.0);
-        float through = (1.0 - direct) * d_f * exp2(front * whole.x);
+        vec4 whole = textureLod(tsu_tables, vec2(columns[k], y), 0.0);
+        vec4 tt = textureLod(tsu_tables, vec2(columns[k], y + band), 0.0);
+        vec4 trt = textureLod(tsu_tables, vec2(columns[k], y + 2.0 * band), 0.0);
+        vec4 m = textureLod(tsu_tables, vec2(columns[k], y + 3.0 * band), 0.0);
+        float through = (1.0 - direct) * d_f * exp2(min(front * whole.x, 0.0));
         float added = front * m.z;
         lobes.multiple[k] =
             through *
@@ -78,5 +85,7 @@ tsu_dual_scattering_lobes tsu_dual_scattering_zinke_eval(int material, vec3 t, v
             cos_phi > 0.0 ? 0.75 * d_b * whole.y * (direct * near + through * far) : 0.0;
 #endif
     }
+    // Without the table all that was read belongs to another.
+    lobes.multiple = origin >= 0.0 ? lobes.multiple : vec3(0.0);
     return lobes;
 }

@@ -7,6 +7,9 @@
 
 #include <string.h>
 
+// In place of a table that the parameters' flags do not ask for.
+#define NO_TABLE UINT32_MAX
+
 struct material {
     const struct tsu_model *model; // NULL: the index is free
     unsigned char params[TSU_I_PARAMS_BYTES];
@@ -33,9 +36,8 @@ struct tsu_set {
 
 tsu_status tsu_set_desc_init_sized(tsu_set_desc *desc, size_t size)
 {
-    const tsu_set_desc defaults = {.struct_size = sizeof defaults,
-                                   .max_texture_size = 2048,
-                                   .max_materials = 1048576};
+    const tsu_set_desc defaults = {
+        .struct_size = sizeof defaults, .max_texture_size = 2048, .max_materials = 1048576};
     return tsu_i_desc_init(desc, size, &defaults, sizeof defaults, sizeof defaults);
 }
 
@@ -55,8 +57,8 @@ tsu_status tsu_set_create(tsu_context *context, const tsu_set_desc *desc, tsu_se
     if (!context)
         return TSU_E_PARAMETER;
     tsu_set_desc own;
-    const tsu_status status = tsu_i_desc_read(context, "tsu_set_desc", desc, &own, sizeof own,
-                                              sizeof own);
+    const tsu_status status =
+        tsu_i_desc_read(context, "tsu_set_desc", desc, &own, sizeof own, sizeof own);
     if (status != TSU_OK)
         return status;
     if (own.flags) {
@@ -104,8 +106,8 @@ static struct material *find(const tsu_set *set, uint32_t material)
 {
     if (!set || material >= set->material_count || !set->materials[material].model) {
         if (set)
-            tsu_i_log(set->context, TSU_LOG_ERROR, TSU_LOG_INDEX,
-                      "material %u is not in the set", material);
+            tsu_i_log(set->context, TSU_LOG_ERROR, TSU_LOG_INDEX, "material %u is not in the set",
+                      material);
         return NULL;
     }
     return set->materials + material;
@@ -123,6 +125,8 @@ static void write_record(tsu_set *set, uint32_t material)
     float record[TSU_RECORD_VEC4 * 4] = {0};
     struct tsu_i_place places[TSU_I_MODEL_TABLES] = {{0, 0, 0, 0}};
     for (uint32_t i = 0; i < m->model->info.table_count; i++) {
+        if (m->tables[i] == NO_TABLE)
+            continue;
         const struct tsu_i_pool_table *t = set->pool.tables + m->tables[i];
         places[i] = (struct tsu_i_place){t->x, t->y, set->pool.width, set->pool.height};
     }
@@ -164,8 +168,8 @@ static tsu_status add_page(tsu_set *set, uint32_t page)
         return TSU_OK;
     if (page == set->page_capacity) {
         const uint32_t capacity = set->page_capacity ? 2 * set->page_capacity : 4;
-        struct page *pages = tsu_i_realloc(set->context, set->pages, set->page_capacity, capacity,
-                                           sizeof *pages);
+        struct page *pages =
+            tsu_i_realloc(set->context, set->pages, set->page_capacity, capacity, sizeof *pages);
         if (!pages)
             return TSU_E_MEMORY;
         set->pages = pages;
@@ -193,9 +197,8 @@ static tsu_status free_index(tsu_set *set, uint32_t *material)
     }
     if (*material == set->material_capacity) {
         const uint32_t capacity = set->material_capacity ? 2 * set->material_capacity : 16;
-        struct material *materials = tsu_i_realloc(set->context, set->materials,
-                                                   set->material_capacity, capacity,
-                                                   sizeof *materials);
+        struct material *materials = tsu_i_realloc(
+            set->context, set->materials, set->material_capacity, capacity, sizeof *materials);
         if (!materials)
             return TSU_E_MEMORY;
         set->materials = materials;
@@ -207,7 +210,16 @@ static tsu_status free_index(tsu_set *set, uint32_t *material)
 static void give_tables(tsu_set *set, const struct material *m, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++)
-        tsu_i_pool_give(&set->pool, m->tables[i]);
+        if (m->tables[i] != NO_TABLE)
+            tsu_i_pool_give(&set->pool, m->tables[i]);
+}
+
+// Parameters begin with struct_size and flags.
+static uint32_t flags_of(const struct material *m)
+{
+    uint32_t head[2];
+    memcpy(head, m->params, sizeof head);
+    return head[1];
 }
 
 // Checked parameters, state and tables of a material to be; nothing in the set refers to it yet.
@@ -220,7 +232,12 @@ static tsu_status prepare(tsu_set *set, const struct tsu_model *model, const voi
         return status;
     m->model = model;
     model->prepare(m->params, m->state);
+    const uint32_t flags = flags_of(m);
     for (uint32_t i = 0; i < model->info.table_count; i++) {
+        if (model->tables[i].info.params_flags & ~flags) {
+            m->tables[i] = NO_TABLE;
+            continue;
+        }
         status = tsu_i_pool_take(&set->pool, model->tables + i, m->state, m->tables + i);
         if (status != TSU_OK) {
             give_tables(set, m, i);
@@ -233,7 +250,7 @@ static tsu_status prepare(tsu_set *set, const struct tsu_model *model, const voi
 static int stale(const tsu_set *set, const struct material *m)
 {
     for (uint32_t i = 0; i < m->model->info.table_count; i++)
-        if (!set->pool.tables[m->tables[i]].baked)
+        if (m->tables[i] != NO_TABLE && !set->pool.tables[m->tables[i]].baked)
             return 1;
     return 0;
 }
@@ -384,7 +401,8 @@ static tsu_status baked_tables(const tsu_set *set, uint32_t material, struct tsu
         return TSU_E_STATE;
     }
     for (uint32_t i = 0; i < m->model->info.table_count; i++)
-        tables[i] = tsu_i_pool_texels(&set->pool, m->tables[i]);
+        tables[i] = m->tables[i] == NO_TABLE ? (struct tsu_i_texels){NULL, 0}
+                                             : tsu_i_pool_texels(&set->pool, m->tables[i]);
     return TSU_OK;
 }
 
@@ -401,6 +419,13 @@ tsu_status tsu_set_evaluate(tsu_set *set, uint32_t material, uint32_t function, 
         tsu_i_log(set->context, TSU_LOG_ERROR, TSU_LOG_INDEX, "%s has a reference only",
                   m->model->functions[function].info.name);
         return TSU_E_UNSUPPORTED;
+    }
+    if (status == TSU_OK && m->model->functions[function].params_flags & ~flags_of(m)) {
+        tsu_i_log(set->context, TSU_LOG_ERROR, TSU_LOG_FLAGS,
+                  "%s needs a material whose flags have the bits %u",
+                  m->model->functions[function].info.name,
+                  m->model->functions[function].params_flags);
+        status = TSU_E_PARAMETER;
     }
     if (status == TSU_OK)
         m->model->functions[function].sampled(m->state, record_of(set, material), tables, in, out);

@@ -11,13 +11,13 @@
 
 enum { TSU_I_STATE_BYTES = 256, TSU_I_MODEL_TABLES = 4 };
 
-// Where a table lies in the texture.
+// Where a table lies in the texture; all 0 for one that the parameters' flags do not ask for.
 struct tsu_i_place {
     uint32_t x, y;          // first texel
     uint32_t width, height; // of the whole texture, texels
 };
 
-// A baked table as the CPU reads it.
+// A baked table as the CPU reads it; NULL without it.
 struct tsu_i_texels {
     const uint16_t *texels; // RGBA16F, the table's first texel
     uint32_t pitch;         // texels from row to row
@@ -59,6 +59,7 @@ struct tsu_i_function {
     tsu_status (*material)(const tsu_context *context, const double *in, void *scratch,
                            void *params);
     tsu_status (*answer)(const tsu_context *context, const double *in, void *scratch, double *out);
+    uint32_t params_flags; // that a material must have for `sampled`
     // As the shader, in float, from the baked tables and the record; NULL: reference only.
     void (*sampled)(const void *state, const float *record, const struct tsu_i_texels *tables,
                     const double *in, double *out);

@@ -154,6 +154,7 @@ AT(tsu_variant_info, flags, 4);
 AT(tsu_variant_info, name, 8);
 AT(tsu_variant_info, help, 16);
 AT(tsu_variant_info, inputs, 24);
+AT(tsu_variant_info, params_flags, 28);
 
 SIZE(tsu_parameter_info, 72);
 AT(tsu_parameter_info, struct_size, 0);
@@ -177,6 +178,7 @@ AT(tsu_table_info, channels, 24);
 AT(tsu_table_info, width, 32);
 AT(tsu_table_info, height, 36);
 AT(tsu_table_info, bytes, 40);
+AT(tsu_table_info, params_flags, 44);
 
 SIZE(tsu_error_info, 40);
 AT(tsu_error_info, struct_size, 0);

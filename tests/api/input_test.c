@@ -61,6 +61,8 @@ static void every_input_has_a_range(void **state)
                 in[i] = ask_input(model, f, i).default_value;
             double out[TSU_FUNCTION_OUTPUTS];
             assert_int_equal(tsu_function_params(a.context, model, f, in, params), TSU_OK);
+            assert_int_equal(tsu_set_update(a.set, 0, params, NULL), TSU_OK);
+            assert_int_equal(tsu_set_bake(a.set), TSU_OK);
             assert_int_equal(tsu_function_reference(a.context, model, f, in, out), TSU_OK);
             for (uint32_t i = 0; i < function.output_count; i++)
                 assert_true(isfinite(out[i]));

@@ -67,7 +67,7 @@ def measure(tsuya, tool):
                 result[tier.name, 'choice_text', key] = \
                     text_bytes(tsuya, tier, drop + ['--only', only])
                 result[tier.name, 'choice_whole', key] = text_bytes(tsuya, tier, drop)
-                result[tier.name, 'choice_bytes', key] = memory[tier.model]
+                result[tier.name, 'choice_bytes', key] = memory[tier.name]
         rows = static.statistics(tool, TARGET, files.values())
         for (name, key), file in files.items():
             result[name, 'choice_clocks', key] = rows[str(file)]['inverse_throughput']

@@ -90,7 +90,7 @@ def measure(tsuya, tool):
             result[name, 'map_clocks', target] = (rows[target][look]['inverse_throughput'] -
                                                   rows[target][none]['inverse_throughput'])
         result[name, 'samplers', ''] = min(result[name, 'fetches', ''], 1)
-        result[name, 'bytes', ''] = memory[tiers.TIERS[name].model] if name in tiers.TIERS else 0
+        result[name, 'bytes', ''] = memory.get(name, 0)
     return result
 
 

@@ -61,6 +61,9 @@ def map_sources(tsuya):
 
 
 def table_bytes(tsuya):
-    """{model: bytes of the tables of a material}."""
+    """{tier: bytes of the tables of a material}."""
     models = json.loads(cost.run([tsuya, 'models', '--json'], 'the list of models'))['models']
-    return {model['name']: sum(table['bytes'] for table in model['tables']) for model in models}
+    tables = {model['name']: model['tables'] for model in models}
+    return {tier.name: sum(table['bytes'] for table in tables[tier.model] if not table['variant']
+                           or f'_{table["variant"]}_eval(' in tier.expression)
+            for tier in TIERS.values()}

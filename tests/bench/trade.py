@@ -298,12 +298,13 @@ def put_static(out, static, tables):
 
 
 def tables_of(tsuya):
-    """Bytes of the tables of each model."""
+    """Bytes of the tables that each model bakes for the tiers on offer."""
     done = subprocess.run([tsuya, 'models', '--json'], check=True, stdout=subprocess.PIPE,
                           text=True)
     models = json.loads(done.stdout)
     models = models['models'] if isinstance(models, dict) else models
-    return {m['name']: sum(t['bytes'] for t in m['tables']) for m in models}, models
+    return {m['name']: sum(t['bytes'] for t in m['tables'] if not t['variant'])
+            for m in models}, models
 
 
 def put_stated(out, models):

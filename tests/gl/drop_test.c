@@ -31,6 +31,8 @@ static uint32_t add(const tsu_model *model)
     tsu_model_info_init(&info);
     tsu_model_describe(model, &info);
     tsu_model_params_init(model, params, info.params_size);
+    const uint32_t flags = model == tsu_dual_scattering() ? TSU_DUAL_SCATTERING_ZINKE : 0;
+    memcpy((char *)params + offsetof(tsu_dual_scattering_params, flags), &flags, sizeof flags);
     assert_int_equal(tsu_set_add(set, model, params, &material), TSU_OK);
     assert_int_equal(tsu_set_bake(set), TSU_OK);
     assert_int_equal(tsu_gl_sync(gl, set), TSU_OK);

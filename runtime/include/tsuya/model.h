@@ -67,6 +67,7 @@ typedef struct tsu_table_info {
     const char *channels; // meaning of the texels
     uint32_t width, height;
     uint32_t bytes;
+    uint32_t params_flags; // baked where the parameters' flags have these bits; 0: always
 } tsu_table_info;
 
 // One measured error. `value` is the maximum over `range`, in the measure that `measure` names.
@@ -98,7 +99,8 @@ typedef struct tsu_variant_info {
     uint32_t flags;       // 0
     const char *name;     // "finite"
     const char *help;
-    uint32_t inputs; // bit i: it takes input i of the model
+    uint32_t inputs;       // bit i: it takes input i of the model
+    uint32_t params_flags; // bits that the flags of its materials' parameters must have, or 0
 } tsu_variant_info;
 
 // One question that a model answers three times: by its double-precision reference, by the tables

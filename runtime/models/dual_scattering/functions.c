@@ -22,6 +22,12 @@ static void multiple_params(const double *in, void *params)
         p->sigma_a[k] = (float)in[1];
 }
 
+static void zinke_params(const double *in, void *params)
+{
+    multiple_params(in, params);
+    ((tsu_dual_scattering_params *)params)->flags |= TSU_DUAL_SCATTERING_ZINKE;
+}
+
 static struct tsu_i_strand strand_of(const double *in)
 {
     const struct tsu_i_strand_columns columns = tsu_i_strand_named(in + 3, (int)in[8]);
@@ -99,7 +105,8 @@ const struct tsu_i_function tsu_i_dual_functions[DUAL_FUNCTIONS] = {
     {.info = MULTIPLE("hair-multiple-zinke", "dual scattering as published; shares averaged"),
      .inputs = multiple_inputs,
      .outputs = multiple_outputs,
-     .params = multiple_params,
+     .params = zinke_params,
      .reference = zinke_reference,
      .probe = "dual_scattering/probe_multiple_zinke.glsl",
+     .params_flags = TSU_DUAL_SCATTERING_ZINKE,
      .sampled = tsu_i_dual_sampled_zinke}};

@@ -34,7 +34,8 @@ static const tsu_variant_info variants[] = {
     {.struct_size = sizeof(tsu_variant_info),
      .name = "zinke",
      .help = "dual scattering as published in 2008",
-     .inputs = 0xbf},
+     .inputs = 0xbf,
+     .params_flags = TSU_DUAL_SCATTERING_ZINKE},
 };
 
 static const tsu_error_info errors[] = {
@@ -56,13 +57,11 @@ static const struct tsu_i_table tables[] = {
      .finish = tsu_i_marschner_finish},
     {.info = {.struct_size = sizeof(tsu_table_info),
               .name = "fields",
-              .axes = "x log2(1 + 250 sigma_a) / 13 in [0, 1]; y four bands of cos(theta_r) in "
-                      "[0, 1], 32 rows each",
-              .channels = "k (log2(e) 2/pi), r, shares back and on; Zinke's log2 a_f, A_1 + A_3, "
-                          "cosine coefficients of N",
+              .axes = "x log2(1 + 250 sigma_a) / 13 in [0, 1]; y cos(theta_r) in [0, 1]",
+              .channels = "k (log2(e) 2/pi), r, shares back and on",
               .width = FIELDS_WIDTH,
-              .height = FIELDS_HEIGHT,
-              .bytes = FIELDS_WIDTH * FIELDS_HEIGHT * 8},
+              .height = FIELDS_ROWS,
+              .bytes = FIELDS_WIDTH * FIELDS_ROWS * 8},
      .key_offset = offsetof(struct dual_state, fiber.eta),
      .key_size = 2 * sizeof(float),
      .units = FIELDS_ROWS,
@@ -71,17 +70,29 @@ static const struct tsu_i_table tables[] = {
     {.info = {.struct_size = sizeof(tsu_table_info),
               .name = "spread",
               .axes = "two bands of 16 rows: x exp2(-front / 4) in [0, 1], y absorption as in "
-                      "fields; one of 32: x absorption, y cos(theta_r) in [0, 1]",
-              .channels = "a, b, c of the lobes back and on; Zinke's Delta_b, sigma_b^2, beta_f^2, "
-                          "a_b",
+                      "fields",
+              .channels = "a, b, c of the lobes back and on",
               .width = SPREAD_WIDTH,
               .height = SPREAD_HEIGHT,
               .bytes = SPREAD_WIDTH * SPREAD_HEIGHT * 8},
      .key_offset = offsetof(struct dual_state, fiber.eta),
      .key_size = offsetof(struct marschner_state, sigma_a) - offsetof(struct marschner_state, eta),
      .units = SPREAD_HEIGHT,
-     .bake = tsu_i_dual_bake_spread,
-     .finish = tsu_i_dual_finish_spread}};
+     .bake = tsu_i_dual_bake_spread},
+    {.info = {.struct_size = sizeof(tsu_table_info),
+              .name = "zinke",
+              .axes = "four bands with the axes of fields",
+              .channels = "log2 a_f, A_1 + A_3, cosine coefficients of N; Delta_b, sigma_b^2, "
+                          "beta_f^2, a_b",
+              .width = FIELDS_WIDTH,
+              .height = ZINKE_HEIGHT,
+              .bytes = FIELDS_WIDTH * ZINKE_HEIGHT * 8,
+              .params_flags = TSU_DUAL_SCATTERING_ZINKE},
+     .key_offset = offsetof(struct dual_state, fiber.eta),
+     .key_size = offsetof(struct marschner_state, sigma_a) - offsetof(struct marschner_state, eta),
+     .units = FIELDS_ROWS,
+     .bake = tsu_i_dual_bake_zinke,
+     .finish = tsu_i_dual_finish_zinke}};
 
 static const char *const snippets[] = {"marschner/longitudinal.glsl",
                                        "marschner/azimuthal.glsl",
@@ -110,7 +121,7 @@ static void prepare(const void *from, void *to)
 static void record(const void *from, const struct tsu_i_place *places, float *out)
 {
     const struct dual_state *state = from;
-    const struct tsu_i_place *fields = places + 1, *spread = places + 2;
+    const struct tsu_i_place *fields = places + 1, *spread = places + 2, *zinke = places + 3;
     const float width = (float)fields->width, height = (float)fields->height;
     tsu_i_marschner_record(&state->fiber, places, out);
     out[15] = state->gamma;
@@ -126,7 +137,7 @@ static void record(const void *from, const struct tsu_i_place *places, float *ou
     out[28] = ((float)spread->x + 0.5f) / width;
     out[29] = ((float)spread->y + 0.5f + u * DUAL_SPAN(SPREAD_ROWS)) / height;
     out[30] = (float)(SPREAD_WIDTH - 1) / width;
-    out[31] = ((float)spread->y + 2.0f * SPREAD_ROWS + 0.5f) / height;
+    out[31] = zinke->width ? (float)zinke->y + (float)zinke->x / 65536.0f : -1.0f;
 }
 
 const struct tsu_model tsu_i_model_dual_scattering = {
@@ -144,6 +155,7 @@ const struct tsu_model tsu_i_model_dual_scattering = {
              .function_count = DUAL_FUNCTIONS},
     .defaults = &defaults,
     .params_least = sizeof(params),
+    .known_flags = TSU_DUAL_SCATTERING_ZINKE,
     .parameters = parameters,
     .tables = tables,
     .errors = errors,

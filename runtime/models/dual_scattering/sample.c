@@ -10,9 +10,11 @@ struct columns {
     float place, cos_r; // texture axes of absorption and inclination, [0, 1]
 };
 
-static void field(const struct tsu_i_texels *tables, struct columns at, int band, float out[4])
+// Band of a table with the axes of "fields".
+static void field(const struct tsu_i_texels *table, int bands, struct columns at, int band,
+                  float out[4])
 {
-    tsu_i_marschner_fetch(tables + 1, FIELDS_WIDTH, FIELDS_HEIGHT, at.place * (FIELDS_WIDTH - 1),
+    tsu_i_marschner_fetch(table, FIELDS_WIDTH, bands * FIELDS_ROWS, at.place * (FIELDS_WIDTH - 1),
                           at.cos_r * DUAL_SPAN(FIELDS_ROWS) + (float)(band * FIELDS_ROWS), out);
 }
 
@@ -105,7 +107,7 @@ void tsu_i_dual_sampled_exact(const void *state, const float *record,
 {
     struct tsu_i_dual_slab m = material_of(state, record, tables, in);
     const struct columns at = {tsu_i_dual_sigma_place(m.sigma_a), (float)fmax(cos(in[0]), 0.0)};
-    field(tables, at, 0, m.stream);
+    field(tables + 1, 1, at, 0, m.stream);
     tsu_i_dual_slab(&m, in[2], out);
 }
 
@@ -130,11 +132,10 @@ static float zinke(const struct tsu_i_dual_slab *m, const struct dual_state *sta
                    struct columns at, float front, float direct)
 {
     float whole[4], tt[4], trt[4], spread[4];
-    field(tables, at, 1, whole);
-    field(tables, at, 2, tt);
-    field(tables, at, 3, trt);
-    tsu_i_marschner_fetch(tables + 2, SPREAD_WIDTH, SPREAD_HEIGHT, at.place * (SPREAD_WIDTH - 1),
-                          at.cos_r * DUAL_SPAN(FIELDS_ROWS) + 2.0f * SPREAD_ROWS, spread);
+    field(tables + 3, ZINKE_BANDS, at, 0, whole);
+    field(tables + 3, ZINKE_BANDS, at, 1, tt);
+    field(tables + 3, ZINKE_BANDS, at, 2, trt);
+    field(tables + 3, ZINKE_BANDS, at, 3, spread);
     const float cos_phi = 2.0f * view->cos2_half - 1.0f, added = front * spread[2];
     const float through = (1.0f - direct) * state->d_f * exp2f(front * whole[0]);
     float moved[3];
@@ -174,9 +175,8 @@ void tsu_i_dual_sampled_zinke(const void *state, const float *record,
         }
     }
     float whole[4], spread[4];
-    field(tables, at, 1, whole);
-    tsu_i_marschner_fetch(tables + 2, SPREAD_WIDTH, SPREAD_HEIGHT, at.place * (SPREAD_WIDTH - 1),
-                          at.cos_r * DUAL_SPAN(FIELDS_ROWS) + 2.0f * SPREAD_ROWS, spread);
+    field(tables + 3, ZINKE_BANDS, at, 0, whole);
+    field(tables + 3, ZINKE_BANDS, at, 3, spread);
     out[0] = exp2f(whole[0]);
     out[1] = spread[3];
     out[2] = back * (2.0 * PI / AZIMUTHS) * (PI / INCLINATIONS);

@@ -7,16 +7,18 @@
 #include "optics/strand_event.h"
 #include "optics/two_stream.h"
 
-// Table "fields": four bands of 32 rows over cos(theta_r), all over absorption.
-// Table "spread": two bands of 16 rows over absorption, over fibres in front; then 32 rows over
-// cos(theta_r), over absorption.
+// Table "fields": 32 rows over cos(theta_r), over absorption.
+// Table "spread": two bands of 16 rows over absorption, over fibres in front.
+// Table "zinke": four bands like "fields", for that variant alone.
 enum {
     FIELDS_WIDTH = 64,
     FIELDS_ROWS = 32,
-    FIELDS_HEIGHT = 4 * FIELDS_ROWS,
     SPREAD_WIDTH = 32,
     SPREAD_ROWS = 16,
-    SPREAD_HEIGHT = 64
+    SPREAD_HEIGHT = 2 * SPREAD_ROWS,
+    ZINKE_BANDS = 4,
+    ZINKE_HEIGHT = ZINKE_BANDS * FIELDS_ROWS,
+    DUAL_TABLES = 4
 };
 
 // Texels from a band's first row to its last, a little less than there are.
@@ -29,7 +31,7 @@ enum {
 #define FRONT_RATE 0.17328680f // log(2) / 4
 
 struct dual_state {
-    struct marschner_state fiber; // its bytes before sigma_a are the key of both tables
+    struct marschner_state fiber; // its bytes before sigma_a are the key of all tables
     float d_f, d_b;
     float gamma; // of two_stream.h
 };
@@ -50,7 +52,8 @@ double tsu_i_dual_lobe_power(const float lobe[4], double theta_r);
 void tsu_i_dual_bake_fields(const void *state, uint32_t row, void *scratch, float *texels);
 void tsu_i_dual_bake_spread(const void *state, uint32_t row, void *scratch, float *texels);
 void tsu_i_dual_finish_fields(const void *state, float *texels);
-void tsu_i_dual_finish_spread(const void *state, float *texels);
+void tsu_i_dual_bake_zinke(const void *state, uint32_t unit, void *scratch, float *texels);
+void tsu_i_dual_finish_zinke(const void *state, float *texels);
 
 // spread.c: mean and variance of theta_i + theta_r.
 struct tsu_i_dual_moments {

@@ -1,15 +1,16 @@
-// The two tables. All quantities are colourless functions of absorption, so a colour bakes nothing.
+// The tables. All quantities are colourless functions of absorption, so a colour bakes nothing.
 //
-// "fields", rows cos(theta_r) = j/31 in each band, columns absorption (tsu_i_dual_sigma_node):
-//   0  log2(e) (2/pi) k, r, spread backward and forward shares of the first event (two_stream.h)
-//   1  log2 of Zinke's a_f, A_1 + A_3; c_0 and c_1 of R
-//   2  c_0, c_1, c_3 of TT;           c_3 of R
-//   3  c_0, c_1, c_3 of TRT and the residual together
-//      (c_k: cosine coefficients of N)
-// "spread":
-//   0  a, b, c of the lobe of light that comes back, over fibres in front (columns) and absorption
+// "fields", rows cos(theta_r) = j/31, columns absorption (tsu_i_dual_sigma_node):
+//   log2(e) (2/pi) k, r, spread backward and forward shares of the first event (two_stream.h)
+// "spread", over fibres in front (columns) and absorption, in two bands:
+//   0  a, b, c of the lobe of light that comes back
 //   1  the same of light that goes on
-//   2  Zinke's Delta_b, sigma_b^2, beta_f^2, over absorption (columns) and cos(theta_r)
+// "zinke", rows and columns of "fields" in each band:
+//   0  log2 of a_f, A_1 + A_3; c_0 and c_1 of R
+//   1  c_0, c_1, c_3 of TT;           c_3 of R
+//   2  c_0, c_1, c_3 of TRT and the residual together
+//      (c_k: cosine coefficients of N)
+//   3  Delta_b, sigma_b^2, beta_f^2, a_b
 #include "models/dual_scattering/state.h"
 
 #include "optics/angle.h"
@@ -60,10 +61,28 @@ static struct tsu_i_strand strand_of(const struct marschner_state *fiber, double
     return strand;
 }
 
-void tsu_i_dual_bake_fields(const void *state, uint32_t unit, void *scratch, float *texels)
+void tsu_i_dual_bake_fields(const void *state, uint32_t row, void *scratch, float *texels)
 {
     (void)scratch;
-    // A unit is one inclination: row `unit` of all four bands.
+    const struct marschner_state *fiber = &((const struct dual_state *)state)->fiber;
+    const double theta = inclination((int)row, FIELDS_ROWS);
+    for (int i = 0; i < FIELDS_WIDTH; i++) {
+        const struct tsu_i_strand strand = strand_of(fiber, tsu_i_dual_sigma_node(i, FIELDS_WIDTH));
+        struct tsu_i_event event;
+        tsu_i_strand_event(&strand, theta, &event);
+        const struct tsu_i_turn turn = tsu_i_strand_turn(&event);
+        const struct tsu_i_stream stream = tsu_i_two_stream(&turn, strand.eta, 1.0);
+        texels[4 * i + 0] = (float)(TSU_I_LOG2E * 2.0 / TSU_I_PI * stream.k);
+        texels[4 * i + 1] = (float)stream.r;
+        texels[4 * i + 2] = (float)stream.backward;
+        texels[4 * i + 3] = (float)stream.forward;
+    }
+}
+
+void tsu_i_dual_bake_zinke(const void *state, uint32_t unit, void *scratch, float *texels)
+{
+    (void)scratch;
+    // A unit is one inclination: row `unit` of all bands.
     const struct marschner_state *fiber = &((const struct dual_state *)state)->fiber;
     const double theta = inclination((int)unit, FIELDS_ROWS);
     const int orders = tsu_i_fiber_orders(fiber->beta_az);
@@ -74,26 +93,24 @@ void tsu_i_dual_bake_fields(const void *state, uint32_t unit, void *scratch, flo
         struct tsu_i_dual_zinke zinke;
         tsu_i_fiber_cosines(strand.eta, theta, strand.sigma_a, strand.beta_az, orders, c);
         tsu_i_strand_halves(orders, c, &event);
-        const struct tsu_i_turn turn = tsu_i_strand_turn(&event);
-        const struct tsu_i_stream stream = tsu_i_two_stream(&turn, strand.eta, 1.0);
         tsu_i_dual_zinke(&strand, &event, &zinke);
         float *out = texels + 4 * i;
         const int band = 4 * FIELDS_WIDTH;
-        out[0] = (float)(TSU_I_LOG2E * 2.0 / TSU_I_PI * stream.k);
-        out[1] = (float)stream.r;
-        out[2] = (float)stream.backward;
-        out[3] = (float)stream.forward;
-        out[band + 0] = (float)log2(fmax(zinke.forward, 1e-4));
-        out[band + 1] = (float)zinke.albedo;
-        out[band + 2] = (float)c[0][TSU_I_R];
-        out[band + 3] = (float)c[1][TSU_I_R];
+        out[0] = (float)log2(fmax(zinke.forward, 1e-4));
+        out[1] = (float)zinke.albedo;
+        out[2] = (float)c[0][TSU_I_R];
+        out[3] = (float)c[1][TSU_I_R];
         for (int k = 0; k < 3; k++) {
             const int order = k == 2 ? 3 : k;
-            out[2 * band + k] = (float)c[order][TSU_I_TT];
-            out[3 * band + k] = (float)(c[order][TSU_I_TRT] + c[order][TSU_I_RES]);
+            out[band + k] = (float)c[order][TSU_I_TT];
+            out[2 * band + k] = (float)(c[order][TSU_I_TRT] + c[order][TSU_I_RES]);
         }
-        out[2 * band + 3] = (float)c[3][TSU_I_R];
-        out[3 * band + 3] = 0.0f;
+        out[band + 3] = (float)c[3][TSU_I_R];
+        out[2 * band + 3] = 0.0f;
+        out[3 * band + 0] = (float)zinke.shift;
+        out[3 * band + 1] = (float)zinke.variance;
+        out[3 * band + 2] = (float)zinke.step;
+        out[3 * band + 3] = (float)zinke.back;
     }
 }
 
@@ -134,30 +151,16 @@ void tsu_i_dual_bake_spread(const void *state, uint32_t row, void *scratch, floa
     (void)scratch;
     const struct marschner_state *fiber = &((const struct dual_state *)state)->fiber;
     struct tsu_i_event event;
-    if (row < 2 * SPREAD_ROWS) {
-        // Normal incidence stands for all: the shares change little with inclination. Below 0.02
-        // the generating function has no finite moments in a thick volume.
-        const double sigma_a = tsu_i_dual_sigma_node((int)row % SPREAD_ROWS, SPREAD_ROWS);
-        const struct tsu_i_strand strand = strand_of(fiber, fmax(sigma_a, 0.02));
-        tsu_i_strand_event(&strand, 0.0, &event);
-        for (int i = 0; i < SPREAD_WIDTH; i++) {
-            struct tsu_i_dual_moments moments[2];
-            tsu_i_dual_moments(&strand, &event, tsu_i_dual_front_node(i, SPREAD_WIDTH), moments);
-            tsu_i_dual_lobe(moments + (row >= SPREAD_ROWS), texels + 4 * i);
-            keep_power(texels + 4 * i);
-        }
-        return;
-    }
-    const double theta = inclination((int)row - 2 * SPREAD_ROWS, SPREAD_HEIGHT - 2 * SPREAD_ROWS);
+    // Normal incidence stands for all: the shares change little with inclination. Below 0.02 the
+    // generating function has no finite moments in a thick volume.
+    const double sigma_a = tsu_i_dual_sigma_node((int)row % SPREAD_ROWS, SPREAD_ROWS);
+    const struct tsu_i_strand strand = strand_of(fiber, fmax(sigma_a, 0.02));
+    tsu_i_strand_event(&strand, 0.0, &event);
     for (int i = 0; i < SPREAD_WIDTH; i++) {
-        const struct tsu_i_strand strand = strand_of(fiber, tsu_i_dual_sigma_node(i, SPREAD_WIDTH));
-        struct tsu_i_dual_zinke zinke;
-        tsu_i_strand_event(&strand, theta, &event);
-        tsu_i_dual_zinke(&strand, &event, &zinke);
-        texels[4 * i + 0] = (float)zinke.shift;
-        texels[4 * i + 1] = (float)zinke.variance;
-        texels[4 * i + 2] = (float)zinke.step;
-        texels[4 * i + 3] = (float)zinke.back;
+        struct tsu_i_dual_moments moments[2];
+        tsu_i_dual_moments(&strand, &event, tsu_i_dual_front_node(i, SPREAD_WIDTH), moments);
+        tsu_i_dual_lobe(moments + (row >= SPREAD_ROWS), texels + 4 * i);
+        keep_power(texels + 4 * i);
     }
 }
 
@@ -186,13 +189,12 @@ static void knots(float *texels, int width, int rows)
 void tsu_i_dual_finish_fields(const void *state, float *texels)
 {
     (void)state;
-    for (int band = 0; band < 4; band++)
-        knots(texels + band * FIELDS_ROWS * 4 * FIELDS_WIDTH, FIELDS_WIDTH, FIELDS_ROWS);
+    knots(texels, FIELDS_WIDTH, FIELDS_ROWS);
 }
 
-void tsu_i_dual_finish_spread(const void *state, float *texels)
+void tsu_i_dual_finish_zinke(const void *state, float *texels)
 {
     (void)state;
-    const int first = 2 * SPREAD_ROWS;
-    knots(texels + first * 4 * SPREAD_WIDTH, SPREAD_WIDTH, SPREAD_HEIGHT - first);
+    for (int band = 0; band < ZINKE_BANDS; band++)
+        knots(texels + band * FIELDS_ROWS * 4 * FIELDS_WIDTH, FIELDS_WIDTH, FIELDS_ROWS);
 }

@@ -22,11 +22,13 @@
 // afz^n. Of the errata decided one by one: d_f once; (1 - D) T_f; sigma_b squared; A_3 over the cube;
 // 0.7 in sigma_b is a fit constant and not d_b; the sign in Delta_b as printed; no pi in F_scatter,
 // because N^G and f_back are normalised; Gaussians replaced by d'Eon's lobe of the same variance, so
-// that A_b is what returns. It takes no `behind`.
+// that A_b is what returns. It takes no `behind`, and a table of its own: a material without
+// TSU_DUAL_SCATTERING_ZINKE has no light of other fibres in it.
 //
 // Tables: azimuthal (marschner's, 128 KiB; the same cell serves both models' own materials), fields
-//         64 x 128 = 64 KiB (eta, beta_az), spread 32 x 64 = 16 KiB (these and alpha_R, beta_R,
-//         scale_shifts). Colour bakes nothing and may vary per fragment.
+//         64 x 32 = 16 KiB (eta, beta_az), spread 32 x 32 = 8 KiB (these and alpha_R, beta_R,
+//         scale_shifts); with TSU_DUAL_SCATTERING_ZINKE zinke, 64 x 128 = 64 KiB (all of them).
+//         Colour bakes nothing and may vary per fragment.
 // GLSL:   tsu_dual_scattering_eval (hair that is thick behind every fibre),
 //         tsu_dual_scattering_finite_eval (with `behind`), tsu_dual_scattering_zinke_eval,
 //         tsu_dual_scattering_sum, tsu_marschner_sigma_a; seven fetches a light.
@@ -42,7 +44,7 @@ extern "C" {
 
 typedef struct tsu_dual_scattering_params {
     uint32_t struct_size; // set by tsu_dual_scattering_params_init()
-    uint32_t flags;       // 0
+    uint32_t flags;       // TSU_DUAL_SCATTERING_* bits, default 0
     float eta;            // refractive index, [1.2, 2], default 1.55
     float alpha_R;        // shift of R in theta_i + theta_r, radians, [-20, 20] degrees,
                           // default -7.5
@@ -55,6 +57,9 @@ typedef struct tsu_dual_scattering_params {
                           // density factor d_f, applied once), [0, 1], default 1
     float d_b;            // factor on the light that comes back (zinke: d_b), [0, 1], default 1
 } tsu_dual_scattering_params;
+enum {
+    TSU_DUAL_SCATTERING_ZINKE = 1 // bakes the table of variant zinke as well
+};
 
 TSU_API const tsu_model *tsu_dual_scattering(void);
 #define tsu_dual_scattering_params_init(params)                                                    \
