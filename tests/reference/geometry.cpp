@@ -239,7 +239,7 @@ bool Geometry::meets(const Start &start, const glm::dvec3 &direction, double nea
     return true;
 }
 
-bool Geometry::blocked(const Start &start, const glm::dvec3 &direction) const
+bool Geometry::blocked(const Start &start, const glm::dvec3 &direction, double far) const
 {
     const Data &data = *data_;
     const double back = step_back * data.widest;
@@ -251,6 +251,7 @@ bool Geometry::blocked(const Start &start, const glm::dvec3 &direction) const
     query.near = float(back);
     RTCRay ray;
     aim(ray, query, direction, back);
+    ray.tfar = float(back + far);
     rtcOccluded1(data.scene, &query.context, &ray);
     return ray.tfar < 0.0f;
 }

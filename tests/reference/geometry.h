@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -71,8 +72,9 @@ class Geometry
     // Threads: any, also at the same time; the same for blocked().
     bool meets(const Start &start, const glm::dvec3 &direction, double near, Hit &hit) const;
 
-    // Whether anything is in the way, however far.
-    bool blocked(const Start &start, const glm::dvec3 &direction) const;
+    // Whether anything is in the way, no farther than `far` metres.
+    bool blocked(const Start &start, const glm::dvec3 &direction,
+                 double far = std::numeric_limits<double>::infinity()) const;
 
     std::size_t strands() const;
 

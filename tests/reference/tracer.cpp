@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tsuya::reference {
+namespace tsuya::reference
+{
 
-namespace {
+namespace
+{
 
 constexpr double pi = 3.14159265358979323846;
 
@@ -30,16 +32,30 @@ glm::dvec3 cosine(const glm::dvec3 &n, Random &random)
 
 } // namespace
 
+template <class Take> void Tracer::light(const Start &start, Random &random, Take take) const
+{
+    const auto follow = [&](const Way &way) {
+        if (way.irradiance != glm::dvec3(0.0) &&
+            !world_.geometry->blocked(start, way.direction, way.length)) {
+            take(way);
+        }
+    };
+    for (const Light &light : world_.lights) {
+        follow(light.way(start.position, random));
+    }
+    if (world_.around) {
+        follow(world_.around->way(random));
+    }
+}
+
 void Tracer::scatter(const Hit &hit, Path &path, Random &random, glm::dvec3 *direct) const
 {
     const glm::dvec3 v = -path.direction;
     if (direct) {
-        for (const Light &light : world_.lights) {
-            if (!world_.geometry->blocked(hit.start, light.direction)) {
-                *direct += path.throughput * light.irradiance *
-                           world_.fiber->value(hit.tangent, light.direction, v, hit.chance);
-            }
-        }
+        light(hit.start, random, [&](const Way &way) {
+            *direct += path.throughput * way.irradiance *
+                       world_.fiber->value(hit.tangent, way.direction, v, hit.chance);
+        });
     }
     path.direction = world_.fiber->sample(hit.tangent, v, hit.chance, path.throughput, random);
 }
@@ -48,12 +64,10 @@ void Tracer::reflect(const Hit &hit, Path &path, Random &random, glm::dvec3 *dir
 {
     path.throughput *= world_.skin;
     if (direct) {
-        for (const Light &light : world_.lights) {
-            const double facing = glm::dot(hit.normal, light.direction);
-            if (facing > 0.0 && !world_.geometry->blocked(hit.start, light.direction)) {
-                *direct += path.throughput * light.irradiance * (facing / pi);
-            }
-        }
+        light(hit.start, random, [&](const Way &way) {
+            *direct += path.throughput * way.irradiance *
+                       (std::max(glm::dot(hit.normal, way.direction), 0.0) / pi);
+        });
     }
     // The interpolated normal may send light under the facet; turned up, none is lost.
     const glm::dvec3 l = cosine(hit.normal, random);
@@ -106,6 +120,9 @@ Sample Tracer::sample(const Path &start, Random &random) const
     }
     if (fate == Fate::escaped) {
         sample.radiance += path.throughput * world_.sky;
+        if (world_.around) {
+            sample.radiance += path.throughput * world_.around->radiance(path.direction);
+        }
     }
     return sample;
 }

@@ -4,6 +4,7 @@
 
 #include "reference/fiber.h"
 #include "reference/geometry.h"
+#include "reference/light.h"
 
 #include <glm/vec3.hpp>
 
@@ -12,17 +13,13 @@
 
 namespace tsuya::reference {
 
-struct Light {
-    glm::dvec3 direction;  // towards the light, unit
-    glm::dvec3 irradiance; // on a plane that faces the light
-};
-
 // What light meets, and where it comes from. Linear Rec. 709, radiance.
 struct World {
     std::shared_ptr<const Geometry> geometry;
     std::shared_ptr<const Fiber> fiber;
     std::vector<Light> lights;
     glm::dvec3 sky{0.0};        // from every direction
+    std::shared_ptr<const Sky> around; // surroundings beyond that; may be null
     glm::dvec3 background{0.0}; // what the camera sees where nothing is; it lights nothing
     glm::dvec3 skin{0.0};       // albedo of the surface, diffuse
 };
@@ -70,6 +67,8 @@ class Tracer
     }
 
   private:
+    // Ways to all lights that nothing blocks.
+    template <class Take> void light(const Start &start, Random &random, Take take) const;
     void scatter(const Hit &hit, Path &path, Random &random, glm::dvec3 *direct) const;
     void reflect(const Hit &hit, Path &path, Random &random, glm::dvec3 *direct) const;
 

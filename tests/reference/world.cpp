@@ -8,9 +8,11 @@
 #include <algorithm>
 #include <cstring>
 
-namespace tsuya::reference {
+namespace tsuya::reference
+{
 
-namespace {
+namespace
+{
 
 // A material's parameter by the model's name for it; none: NULL.
 const float *parameter(const scene::Material &material, const char *name)
@@ -42,17 +44,6 @@ Expected<FiberParams> fiber_params(const scene::Scene &scene, const scene::Mater
                          " for the reference to trace; say model=marschner"};
         }
         *fields[i] = double(*from);
-    }
-    // Lights that this tracer would turn into something else.
-    for (const auto &light : scene.lights) {
-        if (light.second.kind != "directional" || light.second.angle != 0.0) {
-            return Error{"light" + std::to_string(light.first) +
-                         " has a place or a size; the reference traces directional lights alone"};
-        }
-    }
-    if (scene.environment != "none") {
-        return Error{"environment is " + scene.environment +
-                     " but the reference traces lights and dome alone; say environment=none"};
     }
     params.sigma_a = material.sigma_a;
     params.variation = scene.variation;
@@ -116,9 +107,23 @@ Expected<World> world(const scene::Scene &scene, const scene::Hair &hair,
     world.fiber = std::make_shared<Fiber>(*params);
     world.geometry =
         std::make_shared<Geometry>(strands(hair.groom, frame), surface(hair.head, frame), threads);
-    for (const draw::Light &light : frame.lights) {
-        world.lights.push_back(
-            {glm::normalize(glm::dvec3(light.direction)), glm::dvec3(light.irradiance)});
+    // The rig's; own ones, which come after them, may have a place and a size.
+    const std::size_t rig = frame.lights.size() - scene.lights.size();
+    for (std::size_t i = 0; i < rig; i++) {
+        Light light;
+        light.direction = glm::normalize(glm::dvec3(frame.lights[i].direction));
+        light.irradiance = glm::dvec3(frame.lights[i].irradiance);
+        world.lights.push_back(light);
+    }
+    for (const auto &own : scene.lights) {
+        world.lights.push_back(light_of(own.second));
+    }
+    if (scene.environment != "none") {
+        Expected<scene::Globe> globe = scene::Globe::of(scene);
+        if (!globe) {
+            return Error{globe.error()};
+        }
+        world.around = std::make_shared<Sky>(std::move(*globe));
     }
     world.sky = scene.dome_color * scene.dome;
     world.background = scene.background;

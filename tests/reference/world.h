@@ -7,8 +7,7 @@
 
 namespace tsuya::reference {
 
-// The fibre of a scene's material. Errors: its model has no such fibre; a light or surroundings that
-// paths here do not know.
+// The fibre of a scene's material. Errors: its model has no such fibre.
 Expected<FiberParams> fiber_params(const scene::Scene &scene, const scene::Material &material);
 
 // Strands of a groom in the world: placed, widened, tapered, with tangents as the renderer has
@@ -17,8 +16,10 @@ Strands strands(const groom::Groom &groom, const draw::Frame &frame);
 // The head as the renderer shows it.
 Surface surface(const groom::Mesh &head, const draw::Frame &frame);
 
-// Everything. The dome is a uniform sky, not its samples.
-// Errors: those of fiber_params().
+// Everything. The dome is a uniform sky, not its samples; surroundings are their picture, not its
+// harmonics, and lights are their size.
+//   frame  without surroundings, as scene::frame() makes it by default
+// Errors: those of fiber_params() and of the picture of surroundings.
 Expected<World> world(const scene::Scene &scene, const scene::Hair &hair,
                       const scene::Material &material, const draw::Frame &frame,
                       unsigned threads = 0);
