@@ -45,6 +45,7 @@ struct Frame : View {
     glm::vec3 sigma_a{0.0f};  // absorption per fibre radius
     float variation = 0.0f;   // deviation of ln(sigma_a) from strand to strand
     float width_scale = 1.0f; // of every fibre
+    float gain = 1.0f;        // on the light of hair, >= 0
     float taper = 0.1f;       // share of a strand's length over which its tip narrows, [0, 1]
 };
 

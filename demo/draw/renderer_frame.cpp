@@ -55,6 +55,7 @@ Expected<bool> Renderer::draw(const Frame &frame)
     program.set("u_eye", frame.eye);
     program.set("u_sigma_a", frame.sigma_a);
     program.set("u_variation", frame.variation);
+    program.set("u_gain", frame.gain);
     strands(program, frame, frame.width * frame.supersample, frame.height * frame.supersample);
     screen_->resolve();
     return true;

@@ -5,6 +5,7 @@ in vec3 v_tangent;
 in vec2 v_strand; // seed, strand
 in vec3 v_sky;
 uniform vec3 u_eye;
+uniform float u_gain; // on all of it
 out vec4 o_color;          // multiplied by coverage
 
 void main()
@@ -15,5 +16,5 @@ void main()
     }
     vec3 sum = v_sky + lit(normalize(v_tangent), normalize(u_eye - v_position), v_position,
                            v_strand.x);
-    o_color = vec4(sum, 1.0) * cover;
+    o_color = vec4(u_gain * sum, 1.0) * cover;
 }

@@ -7,6 +7,7 @@
 #include "image/figures.h"
 #include "scene/gallery.h"
 #include "scene/keys.h"
+#include "scene/match.h"
 #include "scene/picture.h"
 #include "scene/sheet.h"
 #include "scene/tiers.h"
@@ -206,8 +207,14 @@ Expected<std::vector<draw::Picture>> drawn(const Task &task, Studio &studio, con
         draw::Renderer &renderer = studio.renderer();
         good = good ? renderer.material(material->model, material->params.data(), material->variant)
                     : std::move(good);
-        good = good ? renderer.draw(frame(*scene, hair, *material, 0.0, false, around))
-                    : std::move(good);
+        const Expected<float> gain =
+            good ? match(renderer, *scene, hair, around) : Expected<float>(Error{good.error()});
+        if (!gain) {
+            return Error{gain.error()};
+        }
+        draw::Frame frame = scene::frame(*scene, hair, *material, 0.0, false, around);
+        frame.gain = *gain;
+        good = renderer.draw(frame);
         if (!good) {
             return Error{good.error()};
         }

@@ -70,6 +70,17 @@ std::vector<std::string> variant_names()
     return names;
 }
 
+std::vector<std::string> match_names()
+{
+    std::vector<std::string> names = {"none"};
+    for (const Tier &tier : tiers()) {
+        if (!tier.leaf) {
+            names.push_back(tier.name);
+        }
+    }
+    return names;
+}
+
 // A shorthand for others: it has no value of its own.
 Key tier_key()
 {
@@ -156,6 +167,9 @@ void add_material_keys(std::vector<Key> &keys)
         word_key("material", "model", &Scene::model, model_names(), "shading model"),
         word_key("material", "variant", &Scene::variant, variant_names(),
                  "entry point of the model; auto: finite where there is one, else plain"),
+        word_key("material", "match", &Scene::match, match_names(),
+                 "draw hair as bright as this tier would: its light times a factor that is "
+                 "measured in small pictures of both"),
         colored(word_key("material", "color", &Scene::color, preset_names(), "a natural colour"),
                 ColorBy::preset),
         colored(triple_key("material", "sigma_a", &Scene::sigma_a, 0.0, 1e6,

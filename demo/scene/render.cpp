@@ -4,6 +4,7 @@
 #include "command/commands.h"
 #include "scene/gallery.h"
 #include "scene/keys.h"
+#include "scene/match.h"
 #include "scene/picture.h"
 #include "scene/render.h"
 
@@ -140,13 +141,20 @@ int render(const scene::Scene &scene, const std::string &path, int frames, std::
     }
 
     std::size_t reached = 0;
+    float gain = 1.0f;
     scene::Numbers numbers;
     double draw_time = 0.0;
     for (int i = 0; i < frames; i++) {
         scene::render_progress("drawing " + std::to_string(i + 1) + " of " +
                                std::to_string(frames));
         const double turn = 360.0 * double(i) / double(frames);
-        const draw::Frame frame = scene::frame(scene, *hair, *material, turn, frames > 1, *around);
+        const groom::Expected<float> matched =
+            scene::match(renderer, scene, *hair, *around, turn, frames > 1);
+        if (!matched) {
+            return complain(matched.error());
+        }
+        draw::Frame frame = scene::frame(scene, *hair, *material, turn, frames > 1, *around);
+        frame.gain = *matched;
         const scene::Clock one;
         const groom::Expected<bool> drawn = renderer.draw(frame);
         if (!drawn) {
@@ -159,6 +167,7 @@ int render(const scene::Scene &scene, const std::string &path, int frames, std::
         }
         if (i == 0) {
             numbers = scene::numbers(picture);
+            gain = frame.gain;
         }
         const groom::Expected<bool> saved =
             scene::save(scene::render_path(path, i + 1, frames), scene, renderer.screen());
@@ -183,6 +192,12 @@ int render(const scene::Scene &scene, const std::string &path, int frames, std::
     std::snprintf(times, sizeof times,
                   "time             %.2f s: hair %.2f, drawing %.2f, %d frame%s\n",
                   total.seconds(), hair_time, draw_time, frames, frames == 1 ? "" : "s");
+    if (scene.match != "none") {
+        char text[96];
+        std::snprintf(text, sizeof text, "matched          %s, light of hair times %.4g\n",
+                      scene.match.c_str(), double(gain));
+        said += text;
+    }
     said += "model            " + scene.model + "\n" + report(*hair, reached, numbers) + times +
             "drawn with       " + (*studio)->description() + "\n";
     return command::print("render", said);

@@ -73,6 +73,7 @@ struct Scene {
 
     std::string model = "marschner";
     std::string variant = "auto"; // of the model's entry point
+    std::string match = "none";   // tier whose mean luminance the hair gets
     // Parameters that were given, under the model's name for them; angles in degrees. Those of
     // other models are kept, so that model= can be switched.
     std::map<std::string, glm::dvec3> parameters;

@@ -31,39 +31,17 @@ double width_left(const Scene &scene)
     return 1.0 - 0.5 * std::clamp(scene.taper, 0.0, 1.0);
 }
 
-// Mean of t t^T over the strands' length, in the world.
-glm::dmat3 spread(const Hair &hair, const draw::Frame &frame)
-{
-    const groom::Groom &groom = hair.groom;
-    glm::dmat3 sum(0.0);
-    double length = 0.0;
-    for (std::size_t s = 0; s < groom.strands(); s++) {
-        for (std::size_t i = groom.first[s]; i + 1 < groom.first[s + 1]; i++) {
-            const glm::dvec3 way = glm::dmat3(frame.model) *
-                                   (glm::dvec3(groom.points[i + 1]) - glm::dvec3(groom.points[i]));
-            const double own = glm::length(way);
-            sum += own > 0.0 ? glm::outerProduct(way, way) / own : glm::dmat3(0.0);
-            length += own;
-        }
-    }
-    return length > 0.0 ? sum / length : glm::dmat3(1.0 / 3.0);
-}
-
-void of_lights(const Scene &scene, const Hair &hair, const draw::Frame &frame, Traits &traits)
+void of_lights(const Scene &scene, const draw::Frame &frame, Traits &traits)
 {
     const glm::dvec3 centre = glm::dvec3(glm::inverse(glm::dmat4(frame.view)) *
                                          glm::dvec4(0.0, 0.0, -double(frame.distance), 1.0));
     const glm::dvec3 view = glm::normalize(glm::dvec3(frame.eye) - centre);
-    const glm::dmat3 strands = spread(hair, frame);
-    double direct = 0.0, cosine = 0.0, cosine2 = 0.0, along = 0.0;
+    double direct = 0.0, cosine = 0.0;
     for (const draw::Light &light : frame.lights) {
         const double irradiance = luminance(glm::dvec3(light.irradiance));
         direct += irradiance;
         const glm::dvec3 way = glm::normalize(glm::dvec3(light.direction));
-        const double at = glm::dot(way, view);
-        cosine += irradiance * at;
-        cosine2 += irradiance * at * at;
-        along += irradiance * glm::dot(way, strands * way);
+        cosine += irradiance * glm::dot(way, view);
     }
     for (const auto &own : scene.lights) {
         const SceneLight &light = own.second;
@@ -83,8 +61,6 @@ void of_lights(const Scene &scene, const Hair &hair, const draw::Frame &frame, T
     traits.sky_share = sky + direct > 0.0 ? sky / (sky + direct) : 0.0;
     if (direct > 0.0) {
         traits.light_cosine = cosine / direct;
-        traits.light_cosine2 = cosine2 / direct;
-        traits.light_along = along / direct;
     }
 }
 
@@ -234,7 +210,7 @@ Traits traits(const Scene &scene, const Hair &hair, const Material &material,
     traits.sigma_a = material.sigma_a;
     const auto given = scene.parameters.find("beta_R");
     traits.beta_R = (given == scene.parameters.end() ? 7.5 : given->second.x) * pi / 180.0;
-    of_lights(scene, hair, frame, traits);
+    of_lights(scene, frame, traits);
     Depths(scene, hair, frame).summary(traits);
     traits.curl = curl(hair);
     const groom::Groom &groom = hair.groom;

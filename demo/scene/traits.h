@@ -19,10 +19,6 @@ struct Traits {
     double sky_share = 0.0;    // of the irradiance, that which comes from sky or surroundings
     double light_cosine = 0.0; // mean cosine between the directions to light and to the viewer,
                                // weighed by irradiance: 1 front, -1 back; 0 without lights
-    double light_cosine2 = 1.0 / 3.0; // mean of its square: light from front and back at once is
-                                      // not light from the side; 1/3 without lights
-    double light_along = 1.0 / 3.0;   // mean squared cosine between strands and lights, weighed so;
-                                      // 1/3: from everywhere
     int directional_lights = 0, point_lights = 0, area_lights = 0, environments = 0;
 };
 

@@ -4,6 +4,7 @@
 #include "command/commands.h"
 #include "scene/gallery.h"
 #include "scene/keys.h"
+#include "scene/match.h"
 #include "scene/picture.h"
 #include "viewer/panel.h"
 #include "viewer/window.h"
@@ -144,7 +145,13 @@ class Session
         if (!around) {
             return groom::Error{around.error()};
         }
+        const groom::Expected<float> gain = scene::match(renderer_, scene_, hair_, *around);
+        if (!gain) {
+            panel_.message = gain.error();
+            return true;
+        }
         frame_ = scene::frame(scene_, hair_, *material, 0.0, false, *around);
+        frame_.gain = *gain;
         groom::Expected<bool> drawn = renderer_.draw(frame_);
         renderer_.finish();
         drawn_ = true;
