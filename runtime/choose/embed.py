@@ -32,7 +32,8 @@ TONES = ('black', 'brown', 'blond', 'white', 'dyed')
 RANGES = ('sigma_a', 'sky_share', 'light_cosine', 'strand_pixels', 'depth', 'curl', 'beta_R')
 TRAITS = 'uqkwdob'
 TERMS = (['1'] + list(TRAITS) +
-         [a + '*' + b for i, a in enumerate(TRAITS) for b in TRAITS[i:]] + ['u*u*u'])
+         [a + '*' + b for i, a in enumerate(TRAITS) for b in TRAITS[i:]] +
+         [power + a for power in ('u*u*', 'u*u*u*') for a in TRAITS])
 # A species' colours, nine numbers, and the sides of the errors.
 COLORS = [f'{side}.{channel}' for side in ('R_top', 'R_bottom', 'T') for channel in 'rgb']
 # Quantities that are for people and plots, not for the chooser: keys are free.

@@ -6,8 +6,8 @@
 #include <math.h>
 #include <stddef.h>
 
-_Static_assert((int)TSU_I_TERMS == 2 + TSU_I_TRAITS + TSU_I_TRAITS * (TSU_I_TRAITS + 1) / 2,
-               "terms are 1, traits, products of two, u*u*u");
+_Static_assert((int)TSU_I_TERMS == 1 + 3 * TSU_I_TRAITS + TSU_I_TRAITS * (TSU_I_TRAITS + 1) / 2,
+               "terms are 1, traits, products of two, u*u and u*u*u times traits");
 
 static const double ln2 = 0.6931471805599453, degree = 0.017453292519943295;
 
@@ -36,7 +36,10 @@ static void put_terms(const double trait[TSU_I_TRAITS], int c, double term[TSU_I
     for (int i = 0; i < TSU_I_TRAITS; i++)
         for (int k = i; k < TSU_I_TRAITS; k++)
             term[n++][c] = trait[i] * trait[k];
-    term[n][c] = trait[0] * trait[0] * trait[0];
+    for (int i = 0; i < TSU_I_TRAITS; i++)
+        term[n++][c] = trait[0] * trait[0] * trait[i];
+    for (int i = 0; i < TSU_I_TRAITS; i++)
+        term[n++][c] = trait[0] * trait[0] * trait[0] * trait[i];
 }
 
 static void read_scene(const tsu_choose_desc *desc, struct channels *scene, uint32_t *outside)

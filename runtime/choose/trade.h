@@ -6,7 +6,7 @@
 
 enum {
     TSU_I_TRAITS = 7, // u q k w d o b: see predict.h
-    TSU_I_TERMS = 37  // 1, the traits, their products of two, u*u*u; in this order
+    TSU_I_TERMS = 50  // 1, the traits, their products of two, u*u and u*u*u times each; in order
 };
 
 // Of ln relative MSE of a channel, or of ln(its mean over the true one).

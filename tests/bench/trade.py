@@ -33,9 +33,8 @@ RESULTS = ROOT / 'tests/bench/results'
 SCENES = ROOT / 'tests/reference/trade_scenes.csv'
 IMAGES = ROOT / 'tests/reference/images.csv'
 NOISE = 0.15  # s0: what no polynomial follows, so that quiet scenes do not rule the fit
-RIDGES = (0.03, 0.1, 0.3, 1.0, 3.0, 10.0)
+RIDGES = (0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0)
 FOLDS = 10
-SAFE = 0.925  # of scenes left out, so that nine in ten are left in scenes that are new in all
 
 
 class Failure(Exception):
@@ -187,7 +186,8 @@ def judge(scenes, clocks, predicted, spread, z):
 
 
 def pick_margin(scenes, clocks, predicted, spread):
-    """The least z that holds the bound in SAFE of the choices; prints the course."""
+    """The z whose lesser share, of choices within the bound and of those at a cost within 1.25, is
+    the greatest; prints the course."""
     print('     z   within the bound   within twice   cost within 1.25')
     best = None
     for i in range(0, 33):
@@ -196,10 +196,8 @@ def pick_margin(scenes, clocks, predicted, spread):
         if i % 2 == 0:
             print(f'{z:6.3f} {100 * shares[0]:12.1f} % {100 * shares[1]:14.1f} %'
                   f' {100 * shares[2]:14.1f} %')
-        if best is None and shares[0] >= SAFE:
+        if best is None or min(shares[0], shares[2]) > min(best[1][0], best[1][2]):
             best = (z, shares)
-    if best is None:
-        raise Failure(f'no margin to z = 2 holds the bound in {100 * SAFE:.0f} % of the choices')
     print(f'z = {best[0]}: {100 * best[1][0]:.1f} % within, {100 * best[1][1]:.1f} % within twice, '
           f'{100 * best[1][2]:.1f} % at a cost within 1.25')
     return best[0]

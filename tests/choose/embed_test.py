@@ -58,8 +58,8 @@ refuse('a row twice', table + lines[row('exact,clocks,navi21,')] + '\n', 'exact,
        'twice', f':{len(lines) + 1}:')
 refuse('an unknown tier', table + 'none_such,clocks,navi21,1\n', 'no tier is called none_such')
 refuse('an unknown row', table + 'exact,clocks,navi99,1\n', 'nothing reads row exact,clocks,navi99')
-refuse('an unknown term', table + 'exact,fit_rms,u*u*q,1\n',
-       'nothing reads row exact,fit_rms,u*u*q')
+refuse('an unknown term', table + 'exact,fit_rms,q*q*q,1\n',
+       'nothing reads row exact,fit_rms,q*q*q')
 refuse('a word', changed('exact,fit_rms,u,', 'many'), 'exact,fit_rms,u = many is no number')
 refuse('no number', changed('exact,fit_rms,u,', 'nan'), 'is no number')
 refuse('infinity', changed('exact,clocks,navi21,', 'inf'), 'is no number')

@@ -4,15 +4,19 @@
 Measures ten of the committed scenes again, all sixty with TSUYA_LONG=1, with other paths of light.
 """
 
+import csv
 import os
 import pathlib
 import subprocess
 import sys
 
 sweep, judge, scenes, folder = sys.argv[1:]
+with open(scenes, encoding='utf-8', newline='') as file:
+    rows = csv.DictReader(line for line in file if not line.startswith('#'))
+    first = min(int(row['scene']) for row in rows)
 count = 60 if os.environ.get('TSUYA_LONG') == '1' else 10
 again = pathlib.Path(folder) / f'chooser_again_{count}.csv'
 again.unlink(missing_ok=True)
-subprocess.run([sweep, str(again), '--from', '1', '--count', str(count), '--paths', '1',
+subprocess.run([sweep, str(again), '--from', str(first), '--count', str(count), '--paths', '1',
                 '--samples', '48'], check=True)
 sys.exit(subprocess.run([judge, scenes, str(again)], check=False).returncode)

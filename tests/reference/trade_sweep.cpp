@@ -34,7 +34,7 @@ using namespace tsuya;
 using namespace tsuya::reference;
 
 const char *const head =
-    "scene,tier,channel,sigma_a,sky_share,light_cosine,light_cosine2,light_along,strand_pixels,"
+    "scene,tier,channel,sigma_a,sky_share,light_cosine,strand_pixels,"
     "depth,curl,beta_R,covered,"
     "rel_mse,rel_mse_se,mean_ratio,mean_ratio_se,samples,picture_rel_mse,picture_rel_mse_se,"
     "luminance_error,luminance_error_se\n";
@@ -177,16 +177,15 @@ std::string rows(std::uint64_t seed, const Drawn &drawn)
         const Figures &f = drawn.figures[k];
         for (std::size_t c = 0; c < 3; c++) {
             char line[512];
-            std::snprintf(
-                line, sizeof line,
-                "%llu,%s,%c,%.5g,%.4f,%.4f,%.4f,%.4f,%.4g,%.4g,%.4f,%.4f,%.0f,%.5g,%.2g,%.5f,%.2g,"
-                "%llu,%.5g,%.2g,%.5f,%.2g\n",
-                static_cast<unsigned long long>(seed), tiers_on_offer[k].name, "rgb"[c],
-                t.sigma_a[int(c)], t.sky_share, t.light_cosine, t.light_cosine2, t.light_along,
-                t.strand_pixels, t.depth, t.curl, t.beta_R, t.covered_pixels,
-                f.channel_mse[c].value, f.channel_mse[c].error, 1.0 + f.channel_error[c].value,
-                f.channel_error[c].error, static_cast<unsigned long long>(drawn.samples),
-                f.rel_mse.value, f.rel_mse.error, f.mean_error.value, f.mean_error.error);
+            std::snprintf(line, sizeof line,
+                          "%llu,%s,%c,%.5g,%.4f,%.4f,%.4g,%.4g,%.4f,%.4f,%.0f,%.5g,%.2g,%.5f,%.2g,"
+                          "%llu,%.5g,%.2g,%.5f,%.2g\n",
+                          static_cast<unsigned long long>(seed), tiers_on_offer[k].name, "rgb"[c],
+                          t.sigma_a[int(c)], t.sky_share, t.light_cosine, t.strand_pixels, t.depth,
+                          t.curl, t.beta_R, t.covered_pixels, f.channel_mse[c].value,
+                          f.channel_mse[c].error, 1.0 + f.channel_error[c].value,
+                          f.channel_error[c].error, static_cast<unsigned long long>(drawn.samples),
+                          f.rel_mse.value, f.rel_mse.error, f.mean_error.value, f.mean_error.error);
             text += line;
         }
     }
