@@ -1,7 +1,7 @@
 // Colour of a head: the curve as data, its two directions, and every refusal. The curve against the
 // solution behind it: tests/optics/head_test.c.
 #include "tests.h"
-#include "watch.h"
+#include "watched.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -13,24 +13,6 @@
 #include <cmocka.h>
 
 enum { LAST = TSU_HAIR_HEAD_NODES - 1 };
-
-static struct watch watch;
-static tsu_context *context;
-
-static int open_watch(void **state)
-{
-    (void)state;
-    context = watch_open(&watch);
-    return 0;
-}
-
-static int close_watch(void **state)
-{
-    (void)state;
-    tsu_context_destroy(context);
-    watch_close(&watch);
-    return 0;
-}
 
 static tsu_hair_head_desc usual(void)
 {

@@ -1,6 +1,7 @@
 // Thickness and scale of leaves: every bad field is explained, every extreme one is finite.
+#include "leaf_scale_rig.h"
 #include "tests.h"
-#include "watch.h"
+#include "watched.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -9,56 +10,6 @@
 #include <string.h>
 
 #include <cmocka.h>
-
-static struct watch watch;
-static tsu_context *context;
-
-static int open_watch(void **state)
-{
-    (void)state;
-    context = watch_open(&watch);
-    return 0;
-}
-
-static int close_watch(void **state)
-{
-    (void)state;
-    tsu_context_destroy(context);
-    watch_close(&watch);
-    return 0;
-}
-
-static tsu_leaf_scale_desc usual(void)
-{
-    tsu_leaf_scale_desc desc;
-    assert_int_equal(tsu_leaf_scale_desc_init(&desc), TSU_OK);
-    return desc;
-}
-
-static tsu_leaf_scale empty(void)
-{
-    tsu_leaf_scale scale;
-    assert_int_equal(tsu_leaf_scale_init(&scale), TSU_OK);
-    return scale;
-}
-
-static tsu_leaf_scale solve(const tsu_leaf_scale_desc *desc)
-{
-    tsu_leaf_scale scale = empty();
-    assert_int_equal(tsu_leaf_scale_solve(context, desc, &scale), TSU_OK);
-    return scale;
-}
-
-// All layers alike in all channels but for what is given.
-static tsu_leaf_scale_desc leaf(const double scatter[3], const double absorption[3])
-{
-    tsu_leaf_scale_desc desc = usual();
-    for (int c = 0; c < 3; c++) {
-        desc.scatter_top[c] = desc.scatter_bottom[c] = (float)(0.5 * scatter[c]);
-        desc.absorption_top[c] = desc.absorption_bottom[c] = (float)(0.5 * absorption[c]);
-    }
-    return desc;
-}
 
 static tsu_leaf_verdict judge(const tsu_leaf_scale *scale, double pixel, double curvature,
                               double tolerance)
@@ -72,11 +23,11 @@ static tsu_leaf_verdict judge(const tsu_leaf_scale *scale, double pixel, double 
 
 static void refuse(const tsu_leaf_scale_desc *desc, tsu_status status, const char *part)
 {
-    tsu_leaf_scale scale = empty();
+    tsu_leaf_scale scale = scale_empty();
     scale.thickness = 7.0f;
     watch_quiet(&watch);
     assert_int_equal(tsu_leaf_scale_solve(context, desc, &scale), status);
-    const tsu_leaf_scale none = empty();
+    const tsu_leaf_scale none = scale_empty();
     assert_memory_equal(&scale, &none, sizeof none);
     assert_int_equal(watch.log_count, 1);
     assert_non_null(strstr(watch.log, part));
@@ -103,31 +54,31 @@ static void impossible_leaves_are_explained(void **state)
     for (size_t i = 0; i < sizeof fields / sizeof *fields; i++) {
         const float bad[] = {fields[i].bad[0], fields[i].bad[1], NAN, INFINITY, -INFINITY};
         for (int k = 0; k < 5; k++) {
-            tsu_leaf_scale_desc desc = usual();
+            tsu_leaf_scale_desc desc = scale_usual();
             memcpy((char *)&desc + fields[i].offset, bad + k, sizeof *bad);
             refuse(&desc, TSU_E_PARAMETER, fields[i].name);
         }
     }
-    tsu_leaf_scale_desc desc = usual();
+    tsu_leaf_scale_desc desc = scale_usual();
     desc.flags = 2;
     refuse(&desc, TSU_E_PARAMETER, ".flags = 2");
-    desc = usual();
+    desc = scale_usual();
     desc.method = 6;
     refuse(&desc, TSU_E_PARAMETER, ".method = 6");
-    desc = usual();
+    desc = scale_usual();
     desc.gaussians = 1;
     refuse(&desc, TSU_E_PARAMETER, ".gaussians = 1");
     desc.gaussians = 7;
     refuse(&desc, TSU_E_PARAMETER, ".gaussians = 7");
-    desc = usual();
+    desc = scale_usual();
     desc.struct_size = 0;
     refuse(&desc, TSU_E_STRUCT, "tsu_leaf_scale_desc_init()");
     refuse(NULL, TSU_E_STRUCT, "NULL");
     assert_int_equal(tsu_leaf_scale_desc_init_sized(&desc, 8), TSU_E_STRUCT);
     assert_int_equal(tsu_leaf_scale_desc_init_sized(NULL, sizeof desc), TSU_E_STRUCT);
-    desc = usual();
+    desc = scale_usual();
     assert_int_equal(tsu_leaf_scale_solve(context, &desc, NULL), TSU_E_PARAMETER);
-    tsu_leaf_scale scale = empty();
+    tsu_leaf_scale scale = scale_empty();
     assert_int_equal(tsu_leaf_scale_solve(NULL, &desc, &scale), TSU_E_PARAMETER);
 }
 
@@ -142,13 +93,13 @@ static void extreme_leaves_are_finite(void **state)
     for (size_t i = 0; i < sizeof ends / sizeof *ends; i++) {
         const double scatter[3] = {2.0 * (double)ends[i][2], 2.0 * (double)ends[i][2], 1.0};
         const double absorption[3] = {2.0 * (double)ends[i][3], 0.0, 2.0 * (double)ends[i][3]};
-        tsu_leaf_scale_desc desc = leaf(scatter, absorption);
+        tsu_leaf_scale_desc desc = scale_leaf(scatter, absorption);
         desc.n = ends[i][0];
         desc.g = ends[i][1];
         desc.thickness = ends[i][4];
         desc.gaussians = i % 2 ? 2 : 6;
         desc.share_top = i % 2 ? 0.05f : 0.95f;
-        const tsu_leaf_scale scale = solve(&desc);
+        const tsu_leaf_scale scale = scale_solve(&desc);
         for (int c = 0; c < 3; c++) {
             assert_true(scale.reflectance[c] >= 0.0f && scale.transmittance[c] >= 0.0f);
             assert_true(scale.reflectance[c] + scale.transmittance[c] + scale.straight[c] <= 1.02f);
@@ -183,15 +134,15 @@ static void refuse_judge(const tsu_leaf_scale *scale, double pixel, double curva
 static void impossible_questions_are_explained(void **state)
 {
     (void)state;
-    const tsu_leaf_scale_desc desc = usual();
-    const tsu_leaf_scale whole = solve(&desc);
+    const tsu_leaf_scale_desc desc = scale_usual();
+    const tsu_leaf_scale whole = scale_solve(&desc);
     const double bad[] = {0.0, -1.0, 1e10, NAN, INFINITY};
     for (int i = 0; i < 5; i++) {
         refuse_judge(&whole, bad[i], 10, 0.1, TSU_E_PARAMETER, "pixel_mm = ");
         refuse_judge(&whole, 1, bad[i], 0.1, TSU_E_PARAMETER, "curvature_mm = ");
         refuse_judge(&whole, 1, 10, bad[i], TSU_E_PARAMETER, "tolerance = ");
     }
-    tsu_leaf_scale scale = empty();
+    tsu_leaf_scale scale = scale_empty();
     refuse_judge(&scale, 1, 10, 0.1, TSU_E_PARAMETER, "tsu_leaf_scale_solve()");
     scale = whole;
     scale.transmitted[5] = NAN;

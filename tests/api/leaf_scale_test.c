@@ -1,8 +1,9 @@
 // Thickness and scale of leaves: radii against Monte Carlo, what is refused and why, the verdict
 // against plain sums and against random walks in bent leaves. Bad input: leaf_scale_edge_test.c.
+#include "leaf_scale_rig.h"
 #include "photon_walk.h"
 #include "tests.h"
-#include "watch.h"
+#include "watched.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -13,60 +14,10 @@
 
 #include <cmocka.h>
 
-static struct watch watch;
-static tsu_context *context;
-
-static int open_watch(void **state)
-{
-    (void)state;
-    context = watch_open(&watch);
-    return 0;
-}
-
-static int close_watch(void **state)
-{
-    (void)state;
-    tsu_context_destroy(context);
-    watch_close(&watch);
-    return 0;
-}
-
 static void near(const char *what, double value, double expected, double bound)
 {
     if (!(fabs(value - expected) <= bound))
         fail_msg("%s: %.9g, expected %.9g +- %g", what, value, expected, bound);
-}
-
-static tsu_leaf_scale_desc usual(void)
-{
-    tsu_leaf_scale_desc desc;
-    assert_int_equal(tsu_leaf_scale_desc_init(&desc), TSU_OK);
-    return desc;
-}
-
-static tsu_leaf_scale empty(void)
-{
-    tsu_leaf_scale scale;
-    assert_int_equal(tsu_leaf_scale_init(&scale), TSU_OK);
-    return scale;
-}
-
-static tsu_leaf_scale solve(const tsu_leaf_scale_desc *desc)
-{
-    tsu_leaf_scale scale = empty();
-    assert_int_equal(tsu_leaf_scale_solve(context, desc, &scale), TSU_OK);
-    return scale;
-}
-
-// All layers alike in all channels but for what is given.
-static tsu_leaf_scale_desc leaf(const double scatter[3], const double absorption[3])
-{
-    tsu_leaf_scale_desc desc = usual();
-    for (int c = 0; c < 3; c++) {
-        desc.scatter_top[c] = desc.scatter_bottom[c] = (float)(0.5 * scatter[c]);
-        desc.absorption_top[c] = desc.absorption_bottom[c] = (float)(0.5 * absorption[c]);
-    }
-    return desc;
 }
 
 // MCML's leaf (sigma_a 1, sigma_s 39 per mm, g 0.5, n 1.4, 0.2 mm) in green, others beside it.
@@ -74,13 +25,13 @@ static void radii_are_those_of_mcml(void **state)
 {
     (void)state;
     const double scatter[3] = {3.9, 3.9, 3.9}, absorption[3] = {3.0, 0.2, 0.02};
-    tsu_leaf_scale_desc desc = leaf(scatter, absorption);
+    tsu_leaf_scale_desc desc = scale_leaf(scatter, absorption);
     desc.n = 1.4f;
     static const float share[3] = {0.5f, 0.9f, 0.99f};
     static const double r[3] = {0.085, 0.255, 0.475}, t[3] = {0.145, 0.325, 0.545};
     for (int i = 0; i < 3; i++) {
         desc.fraction = share[i];
-        const tsu_leaf_scale scale = solve(&desc);
+        const tsu_leaf_scale scale = scale_solve(&desc);
         print_message("%g %%: R within %.3f mm, MCML %.3f; T within %.3f mm, MCML %.3f\n",
                       100.0 * (double)share[i], (double)scale.reflected_radius[1], r[i],
                       (double)scale.transmitted_radius[1], t[i]);
@@ -112,10 +63,10 @@ static void radii_are_those_of_mcml(void **state)
         }
     }
     // Lengths scale.
-    desc = usual();
-    const tsu_leaf_scale thin = solve(&desc);
+    desc = scale_usual();
+    const tsu_leaf_scale thin = scale_solve(&desc);
     desc.thickness = 2.0f;
-    const tsu_leaf_scale thick = solve(&desc);
+    const tsu_leaf_scale thick = scale_solve(&desc);
     for (int c = 0; c < 3; c++) {
         near("scaled", (double)(thick.reflected_radius[c] / thin.reflected_radius[c]), 10.0, 1e-2);
         near("scaled", (double)(thick.transmitted_radius[c] / thin.transmitted_radius[c]), 10.0,
@@ -127,7 +78,7 @@ static void radii_are_those_of_mcml(void **state)
 static void both_sides_may_be_lit(void **state)
 {
     (void)state;
-    tsu_leaf_scale_desc desc = usual();
+    tsu_leaf_scale_desc desc = scale_usual();
     for (int c = 0; c < 3; c++) {
         desc.scatter_top[c] = 0.5f;
         desc.scatter_bottom[c] = 2.0f;
@@ -135,9 +86,9 @@ static void both_sides_may_be_lit(void **state)
         desc.absorption_bottom[c] = 0.1f;
     }
     desc.share_top = 0.3f;
-    const tsu_leaf_scale above = solve(&desc);
+    const tsu_leaf_scale above = scale_solve(&desc);
     desc.flags = TSU_LEAF_LIT_BELOW;
-    const tsu_leaf_scale below = solve(&desc);
+    const tsu_leaf_scale below = scale_solve(&desc);
     // The pale spongy side is brighter.
     for (int c = 0; c < 3; c++)
         assert_true(below.reflectance[c] > 1.2f * above.reflectance[c]);
@@ -151,7 +102,7 @@ static void both_sides_may_be_lit(void **state)
     }
     desc.share_top = 0.7f;
     desc.flags = 0;
-    const tsu_leaf_scale turned = solve(&desc);
+    const tsu_leaf_scale turned = scale_solve(&desc);
     for (int c = 0; c < 3; c++) {
         near("R", (double)turned.reflectance[c], (double)below.reflectance[c], 1e-5);
         near("radius", (double)turned.transmitted_radius[c], (double)below.transmitted_radius[c],
@@ -163,10 +114,10 @@ static void diffusion_is_refused_with_a_number(void **state)
 {
     (void)state;
     // A green leaf: red and blue absorb too much.
-    tsu_leaf_scale_desc desc = usual();
+    tsu_leaf_scale_desc desc = scale_usual();
     for (tsu_leaf_method method = TSU_LEAF_MULTIPOLE; method <= TSU_LEAF_DIPOLE; method++) {
         desc.method = method;
-        tsu_leaf_scale scale = empty();
+        tsu_leaf_scale scale = scale_empty();
         watch_quiet(&watch);
         assert_int_equal(tsu_leaf_scale_solve(context, &desc, &scale), TSU_E_LIMIT);
         assert_int_equal(watch.log_count, 3);
@@ -184,11 +135,11 @@ static void diffusion_is_refused_with_a_number(void **state)
     }
     // Milk in a dish: every method, within the bound, and like transport.
     const double scatter[3] = {8.0, 10.0, 9.5}, absorption[3] = {0.3, 0.2, 0.4};
-    desc = leaf(scatter, absorption);
-    const tsu_leaf_scale truth = solve(&desc);
+    desc = scale_leaf(scatter, absorption);
+    const tsu_leaf_scale truth = scale_solve(&desc);
     for (tsu_leaf_method method = TSU_LEAF_MULTIPOLE; method <= TSU_LEAF_PHOTON_BEAM; method++) {
         desc.method = method;
-        const tsu_leaf_scale scale = solve(&desc);
+        const tsu_leaf_scale scale = scale_solve(&desc);
         for (int c = 0; c < 3; c++) {
             print_message("method %d, channel %d: R %.3f (%.3f), radius %.3f (%.3f) mm, total off "
                           "by %.1f %%\n",
@@ -207,12 +158,12 @@ static void diffusion_is_refused_with_a_number(void **state)
     }
     // Thin, and black.
     const double few[3] = {1.0, 1.0, 1.0}, none[3] = {0.01, 0.01, 0.01};
-    desc = leaf(few, none);
+    desc = scale_leaf(few, none);
     static const tsu_leaf_method thin[] = {TSU_LEAF_MULTIPOLE, TSU_LEAF_DIPOLE,
                                            TSU_LEAF_PHOTON_BEAM};
     for (int i = 0; i < 3; i++) {
         desc.method = thin[i];
-        tsu_leaf_scale scale = empty();
+        tsu_leaf_scale scale = scale_empty();
         assert_int_equal(tsu_leaf_scale_solve(context, &desc, &scale), TSU_E_LIMIT);
         assert_int_equal(scale.refusal[1], TSU_LEAF_THIN);
         near("number", (double)scale.refusal_value[1], i ? sqrt(3.0 * 0.01 * 1.01) : 1.01, 1e-5);
@@ -229,21 +180,21 @@ static void backwards(void *user, void (*job)(void *, uint32_t), void *data, uin
 static void jobs_change_nothing_and_memory_may_end(void **state)
 {
     (void)state;
-    const tsu_leaf_scale_desc desc = usual();
-    const tsu_leaf_scale here = solve(&desc);
+    const tsu_leaf_scale_desc desc = scale_usual();
+    const tsu_leaf_scale here = scale_solve(&desc);
     tsu_context_destroy(context);
     uint32_t items = 0;
     tsu_context_desc with_jobs = watch_desc(&watch);
     with_jobs.jobs = backwards;
     with_jobs.jobs_user = &items;
     assert_int_equal(tsu_context_create(&with_jobs, &context), TSU_OK);
-    const tsu_leaf_scale there = solve(&desc);
+    const tsu_leaf_scale there = scale_solve(&desc);
     assert_memory_equal(&here, &there, sizeof here);
     assert_int_equal(items, 3);
     watch.fail_at = watch.calls + 1;
     tsu_leaf_scale scale = there;
     assert_int_equal(tsu_leaf_scale_solve(context, &desc, &scale), TSU_E_MEMORY);
-    const tsu_leaf_scale none = empty();
+    const tsu_leaf_scale none = scale_empty();
     assert_memory_equal(&scale, &none, sizeof none);
 }
 
@@ -273,8 +224,8 @@ static void verdicts_are_sums_and_thresholds(void **state)
 {
     (void)state;
     const double scatter[3] = {2.0, 2.0, 2.0}, absorption[3] = {2.5, 0.6, 5.0};
-    const tsu_leaf_scale_desc desc = leaf(scatter, absorption);
-    const tsu_leaf_scale scale = solve(&desc);
+    const tsu_leaf_scale_desc desc = scale_leaf(scatter, absorption);
+    const tsu_leaf_scale scale = scale_solve(&desc);
     double before = 0.5;
     for (double pixel = 1e-4; pixel < 100.0; pixel *= 3.0) {
         const tsu_leaf_verdict v = judge(&scale, pixel, 1e9, 0.05);
@@ -321,9 +272,9 @@ static void bent_leaves_stay_within_the_bound(void **state)
         for (int j = 0; j < 3; j++) {
             const double scatter[3] = {reduced[i], reduced[i], reduced[i]};
             const double absorption[3] = {absorbed[j], absorbed[j], absorbed[j]};
-            tsu_leaf_scale_desc desc = leaf(scatter, absorption);
+            tsu_leaf_scale_desc desc = scale_leaf(scatter, absorption);
             desc.thickness = 1.0f;
-            const tsu_leaf_scale scale = solve(&desc);
+            const tsu_leaf_scale scale = scale_solve(&desc);
             struct photon_slab slab = {1.45, 0.0, 1, {{absorbed[j], reduced[i] / 0.5, 0.5, 1.0}}};
             struct photon_result flat, bent;
             photon_walk(&slab, 0.1, photons, 21, &flat);

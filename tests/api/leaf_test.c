@@ -1,7 +1,7 @@
 // Leaves: presets, contents and reflectances to layers, what layers do, and every refusal. The
 // inversion itself: tests/optics/leaf_inverse_test.c.
 #include "tests.h"
-#include "watch.h"
+#include "watched.h"
 
 #include <tsuya/leaf.h>
 #include <tsuya/models/leaf.h>
@@ -14,24 +14,6 @@
 #include <string.h>
 
 #include <cmocka.h>
-
-static struct watch watch;
-static tsu_context *context;
-
-static int open_watch(void **state)
-{
-    (void)state;
-    context = watch_open(&watch);
-    return 0;
-}
-
-static int close_watch(void **state)
-{
-    (void)state;
-    tsu_context_destroy(context);
-    watch_close(&watch);
-    return 0;
-}
 
 static tsu_leaf_pigments contents(void)
 {
