@@ -1,6 +1,6 @@
 // What comes in wrong: every field is named with its range, nothing is half written.
 #include "tests.h"
-#include "watch.h"
+#include "watched.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -8,24 +8,6 @@
 #include <string.h>
 
 #include <cmocka.h>
-
-static struct watch watch;
-static tsu_context *context;
-
-static int open_watch(void **state)
-{
-    (void)state;
-    context = watch_open(&watch);
-    return 0;
-}
-
-static int close_watch(void **state)
-{
-    (void)state;
-    tsu_context_destroy(context);
-    watch_close(&watch);
-    return 0;
-}
 
 static tsu_choose_desc usual(tsu_choose_kind kind)
 {

@@ -2,7 +2,7 @@
 #include "choose/trade.h"
 #include "scenes.h"
 #include "tests.h"
-#include "watch.h"
+#include "watched.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -10,24 +10,6 @@
 #include <string.h>
 
 #include <cmocka.h>
-
-static struct watch watch;
-static tsu_context *context;
-
-static int open_watch(void **state)
-{
-    (void)state;
-    context = watch_open(&watch);
-    return 0;
-}
-
-static int close_watch(void **state)
-{
-    (void)state;
-    tsu_context_destroy(context);
-    watch_close(&watch);
-    return 0;
-}
 
 static tsu_choose_desc leaf_of(uint32_t species)
 {

@@ -3,7 +3,7 @@
 #include "choose/plain.h"
 #include "scenes.h"
 #include "tests.h"
-#include "watch.h"
+#include "watched.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -13,24 +13,6 @@
 #include <cmocka.h>
 
 enum { SCENES = 300 };
-static struct watch watch;
-static tsu_context *context;
-
-static int open_watch(void **state)
-{
-    (void)state;
-    context = watch_open(&watch);
-    return 0;
-}
-
-static int close_watch(void **state)
-{
-    (void)state;
-    tsu_context_destroy(context);
-    watch_close(&watch);
-    return 0;
-}
-
 static tsu_choice choose(const tsu_choose_desc *desc)
 {
     tsu_choice choice;

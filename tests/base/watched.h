@@ -1,7 +1,7 @@
 // A context that is watched (watch.h), for tests that want one each: set up by open_watch, taken
 // down by close_watch.
-#ifndef TSUYA_TESTS_API_WATCHED_H
-#define TSUYA_TESTS_API_WATCHED_H
+#ifndef TSUYA_TESTS_BASE_WATCHED_H
+#define TSUYA_TESTS_BASE_WATCHED_H
 
 #include "watch.h"
 
