@@ -48,7 +48,7 @@ static void read_scene(const tsu_choose_desc *desc, struct channels *scene, uint
     double trait[TSU_I_TRAITS], sum = 0.0;
     for (int i = 0; i < TSU_I_TERMS; i++)
         scene->term[i][3] = 0.0;
-    trait[1] = held((double)desc->sky_share, 1, outside);
+    trait[1] = sqrt(held((double)desc->sky_share, 1, outside));
     trait[2] = held((double)desc->light_cosine, 2, outside);
     trait[3] = tsu_i_plain_log(held((double)desc->strand_pixels, 3, outside)) / ln2;
     trait[4] = tsu_i_plain_log(1.0 + held((double)desc->depth, 4, outside)) / ln2;

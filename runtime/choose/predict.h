@@ -1,6 +1,6 @@
 // What each tier would be in a scene: error, luminance, cost, and what the host lacks for it.
 //
-// Hair. Traits of a channel: u = sqrt(sigma_a) / (sqrt(sigma_a) + sqrt(0.1)), q = sky_share,
+// Hair. Traits of a channel: u = sqrt(sigma_a) / (sqrt(sigma_a) + sqrt(0.1)), q = sqrt(sky_share),
 // k = light_cosine, w = log2(strand_pixels), d = log2(1 + depth), o = curl, b = beta_R over 7.5
 // degrees. A polynomial in them is the logarithm of the channel's relative MSE, another that of its
 // mean over the true one; tests/bench/trade.py fits both. The picture's relative MSE is the mean

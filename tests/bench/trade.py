@@ -35,6 +35,7 @@ IMAGES = ROOT / 'tests/reference/images.csv'
 NOISE = 0.15  # s0: what no polynomial follows, so that quiet scenes do not rule the fit
 RIDGES = (0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0)
 FOLDS = 10
+CHEAP = 0.91  # of scenes left out
 
 
 class Failure(Exception):
@@ -186,8 +187,8 @@ def judge(scenes, clocks, predicted, spread, z):
 
 
 def pick_margin(scenes, clocks, predicted, spread):
-    """The z whose lesser share, of choices within the bound and of those at a cost within 1.25, is
-    the greatest; prints the course."""
+    """The greatest z that leaves CHEAP of the choices at a cost within 1.25: all that can be spent
+    on safety; prints the course."""
     print('     z   within the bound   within twice   cost within 1.25')
     best = None
     for i in range(0, 33):
@@ -196,7 +197,7 @@ def pick_margin(scenes, clocks, predicted, spread):
         if i % 2 == 0:
             print(f'{z:6.3f} {100 * shares[0]:12.1f} % {100 * shares[1]:14.1f} %'
                   f' {100 * shares[2]:14.1f} %')
-        if best is None or min(shares[0], shares[2]) > min(best[1][0], best[1][2]):
+        if best is None or shares[2] >= CHEAP:
             best = (z, shares)
     print(f'z = {best[0]}: {100 * best[1][0]:.1f} % within, {100 * best[1][1]:.1f} % within twice, '
           f'{100 * best[1][2]:.1f} % at a cost within 1.25')

@@ -24,7 +24,7 @@ def held(scene, ranges):
 def terms(scene):
     """All terms of a channel, in order."""
     root = math.sqrt(scene['sigma_a'])
-    trait = {'u': root / (root + math.sqrt(0.1)), 'q': scene['sky_share'],
+    trait = {'u': root / (root + math.sqrt(0.1)), 'q': math.sqrt(scene['sky_share']),
              'k': scene['light_cosine'], 'w': math.log2(scene['strand_pixels']),
              'd': math.log2(1.0 + scene['depth']), 'o': scene['curl'],
              'b': scene['beta_R'] / math.radians(7.5)}

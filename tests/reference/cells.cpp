@@ -7,6 +7,7 @@
 #include <cmath>
 #include <ctime>
 #include <filesystem>
+#include <map>
 #include <utility>
 
 namespace tsuya::reference
@@ -35,8 +36,23 @@ Expected<scene::Scene> scene_of(const Cell &cell, const std::vector<std::string>
 {
     const std::string size = std::to_string(cell.size);
     const bool dyed = cell.color == "dyed";
+    static const std::map<std::string, std::vector<std::string>> others = {
+        {"rect",
+         {"light=none", "light0.kind=rect", "light0.position=0.6,0.5,0.6", "light0.width=0.8",
+          "light0.height=0.8", "light0.intensity=4"}},
+        {"point",
+         {"light=none", "light0.kind=point", "light0.position=-0.3,0.3,0.5", "light0.intensity=1"}},
+        {"window", {"light=none", "environment=window"}},
+        {"sunset", {"light=none", "environment=sunset"}},
+    };
     std::vector<std::string> all = {dyed ? "sigma_a=1.2,0.35,0.03" : "color=" + cell.color,
-                                    "light=" + cell.light, "size=" + size + "x" + size};
+                                    "size=" + size + "x" + size};
+    const auto other = others.find(cell.light);
+    if (other == others.end()) {
+        all.push_back("light=" + cell.light);
+    } else {
+        all.insert(all.end(), other->second.begin(), other->second.end());
+    }
     if (cell.dome != 1.5) {
         all.push_back("dome=" + std::to_string(cell.dome));
     }
@@ -82,9 +98,9 @@ double processor_seconds()
 }
 
 draw::Frame frame_of(const scene::Scene &scene, const scene::Hair &hair,
-                     const scene::Material &material)
+                     const scene::Material &material, const scene::Surroundings &around = {})
 {
-    draw::Frame frame = scene::frame(scene, hair, material);
+    draw::Frame frame = scene::frame(scene, hair, material, 0.0, false, around);
     frame.skin = glm::vec3(0.0f); // see cells.h
     return frame;
 }
@@ -100,10 +116,14 @@ Expected<bool> draw_one(scene::Studio &studio, const scene::Hair &hair, const Ti
     if (!material) {
         return Error{material.error()};
     }
+    const Expected<scene::Surroundings> around = scene::surroundings(*scene);
+    if (!around) {
+        return Error{around.error()};
+    }
     draw::Renderer &renderer = studio.renderer();
     Expected<bool> good =
         renderer.material(material->model, material->params.data(), material->variant);
-    const draw::Frame frame = frame_of(*scene, hair, *material);
+    const draw::Frame frame = frame_of(*scene, hair, *material, *around);
     renderer.finish();
     const double begin = processor_seconds();
     good = good ? renderer.draw(frame) : std::move(good);

@@ -32,7 +32,7 @@ const std::vector<Tier> &tiers();
 struct Cell {
     std::string groom; // straight, curly or the path of a groom file
     std::string color; // a natural one by name, or dyed: blue
-    std::string light;
+    std::string light; // a rig, or rect, point, window, sunset: see scene_of()
     double dome = 1.5; // radiance of the uniform sky
     int size = 256;    // pixels along each side
     std::uint64_t seed = 1;
@@ -45,7 +45,9 @@ struct Cell {
 // it gives, 7 % of blond hair's luminance and 16 % of black hair's from the front, would hide what
 // the tiers do. It stays in the way of light.
 //
-// The scene of a cell as the reference takes it; with the words of a tier, as the tier does.
+// The scene of a cell as the reference takes it; with the words of a tier, as the tier does. Lights
+// other than the rigs: rect, 0.8 m square and 1 m away, 0.6 sr; point, 0.65 m away; window and
+// sunset, the surroundings of these names.
 // 3000 strands ten times as wide as hair stand for 30000; a groom from a file is suited as
 // scene::suit() does it. Errors: those of the scene's keys and of the file.
 Expected<scene::Scene> scene_of(const Cell &cell, const std::vector<std::string> &words = {});

@@ -208,7 +208,7 @@ int main(int argc, char **argv)
     tsu_context *context = nullptr;
     tsu_context_create(&desc, &context);
     const std::map<int, Scene> scenes = read(argv[1]);
-    hold(scenes.size() >= 60, "sixty scenes");
+    hold(scenes.size() >= 60, "sixty scenes or more");
     judge(context, scenes);
     match(context, scenes);
     if (argc == 3) {

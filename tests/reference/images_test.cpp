@@ -119,6 +119,16 @@ void brown_curly_side(void **)
     again({"curly", "brown", "side"}, 64);
 }
 
+void blond_straight_window(void **)
+{
+    again({"straight", "blond", "window", 0.0}, 128);
+}
+
+void brown_curly_rect(void **)
+{
+    again({"curly", "brown", "rect", 0.2}, 128);
+}
+
 // What noise does to the figures: of a picture that is the reference itself, and of one whose
 // errors are known.
 void figures_have_no_bias(void **)
@@ -181,6 +191,8 @@ int main(int argc, char **argv)
         cmocka_unit_test(figures_have_no_bias),
         cmocka_unit_test(blond_straight_front),
         cmocka_unit_test(brown_curly_side),
+        cmocka_unit_test(blond_straight_window),
+        cmocka_unit_test(brown_curly_rect),
     };
     const int failed = cmocka_run_group_tests_name("images", tests, nullptr, nullptr);
     studio.reset();

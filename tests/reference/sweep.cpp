@@ -1,12 +1,14 @@
 // The image table: the renderer's tiers against the reference, cell by cell, as CSV.
 //
 //   image_sweep FILE.csv [--size N] [--samples MOST] [--seed S] [--threads T] [--dome RADIANCE]
-//               [--groom GROOM] [--only GROOM,COLOR,LIGHT] [--pictures FOLDER]
+//               [--groom GROOM] [--color COLOR] [--light LIGHT] [--only GROOM,COLOR,LIGHT]
+//               [--pictures FOLDER]
 //
 // Adds rows to FILE.csv, a cell's at once when it is done; cells that stand there, by groom,
 // color, light, dome and size, are left alone, so that the program goes on where it was stopped.
 // --groom, also several times, names a groom: straight, curly or the path of a groom file, which
-// is labelled with its name. Without it: straight and curly.
+// is labelled with its name. Without it: straight and curly. --color and --light in the same way;
+// without them: black, brown, blond, white, dyed; front, side, back.
 // --pictures writes the reference and the tiers of each cell as EXR.
 //
 // A cell has the least number of samples, out of 32, 48, 80, 128, ... MOST (default 128), that
@@ -35,6 +37,8 @@ constexpr const char *head = "groom,color,light,dome,tier,size,seed,samples,mean
 struct Options {
     std::string path, pictures, only;
     std::vector<std::string> grooms = {"straight", "curly"};
+    std::vector<std::string> colors = {"black", "brown", "blond", "white", "dyed"};
+    std::vector<std::string> lights = {"front", "side", "back"};
     int size = 256;
     double dome = 1.5;
     std::uint64_t seed = 1;
@@ -43,7 +47,7 @@ struct Options {
 
 bool parse(int argc, char **argv, Options &options)
 {
-    std::vector<std::string> grooms;
+    std::vector<std::string> grooms, colors, lights;
     for (int i = 1; i < argc; i++) {
         const std::string word = argv[i];
         if (word.rfind("--", 0) != 0 && options.path.empty()) {
@@ -66,6 +70,10 @@ bool parse(int argc, char **argv, Options &options)
             options.dome = std::atof(value);
         } else if (word == "--groom") {
             grooms.push_back(value);
+        } else if (word == "--color") {
+            colors.push_back(value);
+        } else if (word == "--light") {
+            lights.push_back(value);
         } else if (word == "--only") {
             options.only = value;
         } else if (word == "--pictures") {
@@ -74,9 +82,9 @@ bool parse(int argc, char **argv, Options &options)
             return false;
         }
     }
-    if (!grooms.empty()) {
-        options.grooms = grooms;
-    }
+    options.grooms = grooms.empty() ? options.grooms : grooms;
+    options.colors = colors.empty() ? options.colors : colors;
+    options.lights = lights.empty() ? options.lights : lights;
     return !options.path.empty() && options.size >= 8 && options.size <= 4096 &&
            options.limits.most >= options.limits.least;
 }
@@ -164,8 +172,8 @@ int run(const Options &options)
     }
     for (const std::string &groom : options.grooms) {
         std::vector<Cell> cells;
-        for (const char *color : {"black", "brown", "blond", "white", "dyed"}) {
-            for (const char *light : {"front", "side", "back"}) {
+        for (const std::string &color : options.colors) {
+            for (const std::string &light : options.lights) {
                 const Cell cell = {groom, color, light, options.dome, options.size, options.seed};
                 const bool asked =
                     options.only.empty() || options.only == cell.name() + "," + color + "," + light;
