@@ -1,4 +1,4 @@
-// Two cells of the image table again, small, with another seed: every figure within three standard
+// Four cells of the image table again, small, with another seed: every figure within three standard
 // errors of the committed one. usage: images_test images.csv
 #include <stdarg.h>
 #include <stddef.h>
@@ -121,12 +121,12 @@ void brown_curly_side(void **)
 
 void blond_straight_window(void **)
 {
-    again({"straight", "blond", "window", 0.0}, 128);
+    again({"straight", "blond", "window", 0.0}, 256);
 }
 
 void brown_curly_rect(void **)
 {
-    again({"curly", "brown", "rect", 0.2}, 128);
+    again({"curly", "brown", "rect", 0.2}, 256);
 }
 
 // What noise does to the figures: of a picture that is the reference itself, and of one whose
