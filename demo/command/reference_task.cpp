@@ -42,8 +42,9 @@ const Manual &reference_manual()
         "reference",
         "SCENE|FILE [key=value ...] -o FILE.exr",
         "Draw what tsuya render draws by path tracing: every way of light through hair and off\n"
-        "the head, any number of times, with marschner's fibre in double precision and the dome\n"
-        "as a uniform sky. Keys and words are those of tsuya render.\n\n"
+        "the head, any number of times, with marschner's fibre in double precision, the\n"
+        "dome as a uniform sky, lights with their size and surroundings as their picture. Keys\n"
+        "and words are those of tsuya render.\n\n"
         "FILE.exr holds linear light R, G, B; hair, the share of each pixel that hair covers; se.R,\n"
         "se.G, se.B, se.Y, the standard error of each pixel and of its luminance; and the scene as\n"
         "text. tsuya compare holds the tiers against it. The same seed and samples give the same\n"

@@ -25,7 +25,7 @@ namespace
 {
 
 constexpr int bounds = 40;
-constexpr double within_least = 0.90, twice_least = 1.0, cheap_least = 0.90;
+constexpr double within_least = 0.90, twice_least = 0.999, cheap_least = 0.90;
 
 struct Scene {
     tsu_choose_desc desc;

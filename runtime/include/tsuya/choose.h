@@ -303,8 +303,8 @@ TSU_API tsu_status tsu_choose_predict(tsu_context *context, const tsu_choose_des
 
 // Factor on the light of tier `to` that keeps the mean luminance of tier `from`, as both are
 // predicted in this scene: what keeps a switch from being seen as a change of exposure. From one to
-// the other and back is 1 within rounding. Error: between exact and plane_parallel 3 % in the mean,
-// else 10 to 14 % (test `reference-chooser` prints it). A host that needs less measures: it draws
+// the other and back is 1 within rounding. Error: between exact and plane_parallel 2 % in the mean,
+// else 9 % (test `reference-chooser` prints it). A host that needs less measures: it draws
 // both tiers once in small and takes the ratio of their means, less what shows through the hair;
 // 2 % at most (test `match`, demo/scene/match.h).
 // Errors: as tsu_choose_predict(); *gain is 0 then. Threads: any.
