@@ -39,10 +39,18 @@ std::uint64_t key_of(const Task &task, const groom::Groom &groom)
     scene.title.clear();
     scene.exposure = 0.0;
     scene.tone = "film";
+    scene.match = "none";
     const std::string text = scene::write(scene);
     std::uint64_t key = reference::key_of(text.data(), text.size());
     key = reference::key_of(&task.work.seed, sizeof task.work.seed, key);
     key = reference::key_of(groom.points.data(), groom.points.size() * sizeof groom.points[0], key);
+    // What cannot be read is complained of when the world is made.
+    const Expected<scene::Globe> globe =
+        scene.environment == "none" ? Error{"none"} : scene::Globe::of(scene);
+    for (std::size_t i = 0; globe && i < globe->count(); i++) {
+        const glm::dvec3 radiance = globe->radiance(i);
+        key = reference::key_of(&radiance.x, sizeof radiance, key);
+    }
     key = reference::key_of(groom.radius.data(), groom.radius.size() * sizeof groom.radius[0], key);
     return reference::key_of(groom.first.data(), groom.first.size() * sizeof groom.first[0], key);
 }

@@ -85,6 +85,18 @@ def resumes_to_the_same_picture():
 
 
 @case
+def other_surroundings_of_the_same_name_are_another_scene():
+    with tempfile.TemporaryDirectory() as folder:
+        sky, picture = folder + '/sky.exr', folder + '/picture.exr'
+        scene = [*SMALL, 'environment=file:' + sky, 'dome=0']
+        output('render', *SMALL[:3], 'size=32x16', '-o', sky)
+        output('reference', *scene, '--samples', '4', '-o', picture)
+        output('reference', *scene, '--samples', '8', '-o', picture, '--resume')
+        output('render', *SMALL[:3], 'size=32x16', 'background=1,0,0', '-o', sky)
+        refused(['reference', *scene, '-o', picture, '--resume'], None, 'another scene')
+
+
+@case
 def goes_on_after_an_interruption():
     with tempfile.TemporaryDirectory() as folder:
         whole, parts = pathlib.Path(folder) / 'whole.exr', pathlib.Path(folder) / 'parts.exr'
