@@ -1,5 +1,7 @@
 #include "bench/tiers.h"
 
+#include "draw/params.h"
+
 #include <tsuya/tsuya.h>
 
 #include <cstring>
@@ -42,10 +44,7 @@ std::vector<double> parameters(const Tier &tier)
     if (tsu_model_params_init(tier.model, params.data(), info.params_size) != TSU_OK) {
         throw std::runtime_error(std::string(info.name) + " has no parameters");
     }
-    std::uint32_t head[2]; // struct_size, flags
-    std::memcpy(head, params.data(), sizeof head);
-    head[1] |= params_flags(tier);
-    std::memcpy(params.data(), head, sizeof head);
+    draw::add_flags(params.data(), params_flags(tier));
     return params;
 }
 

@@ -4,6 +4,7 @@
 #include "function.h"
 #include "number.h"
 
+#include "../draw/params.h"
 #include "../scene/head.h"
 
 #include <tsuya/hair_color.h>
@@ -13,11 +14,9 @@
 #include <cstring>
 #include <stdexcept>
 
-namespace tsuya::command
-{
+namespace tsuya::command {
 
-namespace
-{
+namespace {
 
 bool is_angle(const tsu_parameter_info &parameter)
 {
@@ -105,10 +104,7 @@ bool Material::vary(const std::string &variant, std::string &error)
     tsu_variant_info_init(&info);
     for (std::uint32_t i = 0; tsu_model_variant(model_, i, &info) == TSU_OK; i++) {
         if (variant == info.name) {
-            std::uint32_t head[2]; // struct_size, flags
-            std::memcpy(head, storage_.data(), sizeof head);
-            head[1] |= info.params_flags;
-            std::memcpy(storage_.data(), head, sizeof head);
+            draw::add_flags(storage_.data(), info.params_flags);
             return true;
         }
         names.push_back(info.name);

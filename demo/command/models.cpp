@@ -11,8 +11,7 @@
 #include <cstring>
 #include <string>
 
-namespace
-{
+namespace {
 
 using namespace tsuya::command;
 
@@ -265,8 +264,9 @@ int command_models(int argc, char **argv)
     json.open('{').key("models").open('[');
     std::string text;
     for (std::uint32_t i = 0; i < tsu_model_count() + tsu_hair_shadow_count(); i++) {
-        const tsu_model *const model =
-            i < tsu_model_count() ? tsu_model_at(i) : tsu_hair_shadow_at(i - tsu_model_count());
+        const tsu_model *const model = i < tsu_model_count()
+                                           ? tsu_model_at(i)
+                                           : tsu_hair_shadow_at(i - tsu_model_count());
         if (only && model != only) {
             continue;
         }

@@ -1,5 +1,6 @@
 #include "scene/build.h"
 
+#include "draw/params.h"
 #include "groom/read.h"
 #include "scene/head.h"
 
@@ -196,10 +197,7 @@ Expected<Material> material(const Scene &scene)
     tsu_variant_info_init(&variant);
     for (uint32_t i = 0; tsu_model_variant(result.model, i, &variant) == TSU_OK; i++) {
         if (result.variant == variant.name) {
-            uint32_t head[2]; // struct_size, flags
-            std::memcpy(head, result.params.data(), sizeof head);
-            head[1] |= variant.params_flags;
-            std::memcpy(result.params.data(), head, sizeof head);
+            draw::add_flags(result.params.data(), variant.params_flags);
         }
     }
     double eta = 1.55;

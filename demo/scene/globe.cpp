@@ -61,6 +61,17 @@ Expected<Globe> Globe::of(const Scene &scene)
             return Error{path + ": an environment is twice as wide as high, this is " +
                          std::to_string(globe.width_) + "x" + std::to_string(globe.height_)};
         }
+        for (std::size_t i = 0; i < globe.count(); i++) {
+            const glm::dvec3 radiance = globe.radiance(i);
+            for (int k = 0; k < 3; k++) {
+                if (!(radiance[k] >= 0.0 && std::isfinite(radiance[k]))) {
+                    return Error{path + ": radiance is finite and not below 0, but that of pixel " +
+                                 std::to_string(i % std::size_t(globe.width_)) + "," +
+                                 std::to_string(i / std::size_t(globe.width_)) + " is " +
+                                 std::to_string(radiance[k])};
+                }
+            }
+        }
     }
     return Expected<Globe>(std::move(globe));
 }

@@ -19,8 +19,8 @@ namespace tsuya::scene
 class Globe
 {
   public:
-    // Errors: a file that cannot be read or is no picture twice as wide as high. The scene has an
-    // environment.
+    // Errors: a file that cannot be read, is no picture twice as wide as high, or holds values that
+    //         are no radiance. The scene has an environment.
     static Expected<Globe> of(const Scene &scene);
 
     std::size_t count() const

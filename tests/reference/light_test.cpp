@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <string>
 #include <thread>
@@ -151,6 +152,25 @@ void surroundings_are_the_sum_of_their_parts(void **)
     }
 }
 
+// A picture with what is no radiance is refused, by the pixel.
+void bad_surroundings_are_refused(void **)
+{
+    const std::string path =
+        (std::filesystem::temp_directory_path() / "tsuya_bad_surroundings.exr").string();
+    for (const float bad : {-0.5f, std::nanf("")}) {
+        image::Image image = {4, 2, 3, std::vector<float>(4 * 2 * 3, 1.0f)};
+        image.pixels[3 * 6 + 1] = bad;
+        std::string error;
+        assert_true(image::write_exr(path, image, error));
+        scene::Scene scene;
+        scene.environment = "file:" + path;
+        const Expected<scene::Globe> globe = scene::Globe::of(scene);
+        assert_false(bool(globe));
+        assert_non_null(std::strstr(globe.error().c_str(), "pixel 2,1"));
+    }
+    std::filesystem::remove(path);
+}
+
 // What is behind a light does not take its light away.
 void fibres_beyond_a_light_do_not_block_it(void **)
 {
@@ -204,6 +224,7 @@ int main()
         cmocka_unit_test(areas_give_their_closed_forms),
         cmocka_unit_test(lights_lie_where_the_renderer_has_them),
         cmocka_unit_test(surroundings_are_the_sum_of_their_parts),
+        cmocka_unit_test(bad_surroundings_are_refused),
         cmocka_unit_test(fibres_beyond_a_light_do_not_block_it),
         cmocka_unit_test(white_furnace_by_surroundings),
     };

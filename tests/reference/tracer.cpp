@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tsuya::reference
-{
+namespace tsuya::reference {
 
-namespace
-{
+namespace {
 
 constexpr double pi = 3.14159265358979323846;
 

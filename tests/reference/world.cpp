@@ -8,11 +8,9 @@
 #include <algorithm>
 #include <cstring>
 
-namespace tsuya::reference
-{
+namespace tsuya::reference {
 
-namespace
-{
+namespace {
 
 // A material's parameter by the model's name for it; none: NULL.
 const float *parameter(const scene::Material &material, const char *name)
