@@ -146,6 +146,19 @@ bool enough(const std::vector<Figures> &figures)
     return 5.0 * mean_error <= std::max(mean, resolved) && 5.0 * mse_error <= mse;
 }
 
+// Samples to try after so many.
+std::uint64_t next(std::uint64_t samples, const Limits &limits)
+{
+    const std::uint64_t half = samples + samples / 2 + Batches::count - 1;
+    return std::min(half / Batches::count * Batches::count, limits.most);
+}
+
+std::string film_of(const std::string &folder, const Cell &cell)
+{
+    return folder + "/" + cell.name() + "-" + cell.color + "-" + cell.light + "-" +
+           std::to_string(cell.size) + ".";
+}
+
 } // namespace
 
 Expected<std::vector<Taken>> draw_cells(scene::Studio &studio, const std::vector<Cell> &cells,
@@ -190,14 +203,21 @@ Expected<Result> trace(const Taken &taken, const Limits &limits)
     }
     const Tracer tracer(*world);
     Batches batches(taken.cell.size, taken.cell.size);
-    Result result{{}, 0, Film(1, 1)};
-    do {
-        result.samples += result.samples ? result.samples / 2 : limits.least;
-        result.samples = (result.samples + Batches::count - 1) / Batches::count * Batches::count;
-        result.samples = std::min(result.samples, limits.most);
+    const std::string text = line_of(taken.scene);
+    const std::uint64_t key = key_of(text.data(), text.size(), taken.cell.seed);
+    const std::string kept = limits.films.empty() ? "" : film_of(limits.films, taken.cell);
+    Result result{{}, kept.empty() ? 0 : batches.read(kept, key), Film(1, 1)};
+    result.samples = std::max(result.samples, limits.least);
+    for (;; result.samples = next(result.samples, limits)) {
         batches.bring(tracer, camera(frame), result.samples, taken.cell.seed, limits.threads);
         result.figures = figures(batches, taken.pictures);
-    } while (result.samples < limits.most && !enough(result.figures));
+        if (result.samples >= limits.most || enough(result.figures)) {
+            break;
+        }
+    }
+    if (!kept.empty() && !batches.write(kept, key)) {
+        return Error{"cannot write " + kept + "*"};
+    }
     result.film = batches.film();
     return Expected<Result>(std::move(result));
 }

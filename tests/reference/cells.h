@@ -72,6 +72,8 @@ Expected<std::vector<Taken>> draw_cells(scene::Studio &studio, const std::vector
 struct Limits {
     std::uint64_t least = 32, most = 64; // samples a pixel, multiples of Batches::count
     unsigned threads = 1;
+    std::string films; // folder that keeps what was traced (65 MB a cell of 256 pixels): with it a
+                       // change to a tier asks for new pictures only; empty: none
 };
 
 // Trace a drawn cell until, in every picture, both figures' standard errors are no more than a

@@ -145,7 +145,7 @@ void one_film_is_as_good_as_batches(void **)
     const Expected<std::vector<Taken>> drawn = draw_cells(**studio, {cell}, two);
     assert_true(bool(drawn));
     const unsigned threads = std::max(1u, std::thread::hardware_concurrency());
-    const Expected<Result> result = trace(drawn->front(), {64, 64, threads});
+    const Expected<Result> result = trace(drawn->front(), {64, 64, threads, {}});
     assert_true(bool(result));
     std::string error;
     image::Image file;

@@ -97,7 +97,7 @@ void again(Cell cell, std::uint64_t samples)
         fail_msg("%s", drawn.error().c_str());
     }
     const unsigned threads = std::max(1u, std::thread::hardware_concurrency());
-    const Expected<Result> result = trace(drawn->front(), {samples, samples, threads});
+    const Expected<Result> result = trace(drawn->front(), {samples, samples, threads, {}});
     if (!result) {
         fail_msg("%s", result.error().c_str());
     }

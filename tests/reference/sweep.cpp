@@ -2,14 +2,15 @@
 //
 //   image_sweep FILE.csv [--size N] [--samples MOST] [--seed S] [--threads T] [--dome RADIANCE]
 //               [--groom GROOM] [--color COLOR] [--light LIGHT] [--only GROOM,COLOR,LIGHT]
-//               [--pictures FOLDER]
+//               [--pictures FOLDER] [--films FOLDER]
 //
 // Adds rows to FILE.csv, a cell's at once when it is done; cells that stand there, by groom,
 // color, light, dome and size, are left alone, so that the program goes on where it was stopped.
 // --groom, also several times, names a groom: straight, curly or the path of a groom file, which
 // is labelled with its name. Without it: straight and curly. --color and --light in the same way;
 // without them: black, brown, blond, white, dyed; front, side, back.
-// --pictures writes the reference and the tiers of each cell as EXR.
+// --pictures writes the reference and the tiers of each cell as EXR; --films keeps what was traced
+// for another sweep with other tiers.
 //
 // A cell has the least number of samples, out of 32, 48, 80, 128, ... MOST (default 128), that
 // holds the standard errors reference/cells.h asks for; a cell that needs more has MOST.
@@ -42,7 +43,7 @@ struct Options {
     int size = 256;
     double dome = 1.5;
     std::uint64_t seed = 1;
-    Limits limits{32, 128, std::max(1u, std::thread::hardware_concurrency())};
+    Limits limits{32, 128, std::max(1u, std::thread::hardware_concurrency()), {}};
 };
 
 bool parse(int argc, char **argv, Options &options)
@@ -78,6 +79,8 @@ bool parse(int argc, char **argv, Options &options)
             options.only = value;
         } else if (word == "--pictures") {
             options.pictures = value;
+        } else if (word == "--films") {
+            options.limits.films = value;
         } else {
             return false;
         }
@@ -217,7 +220,7 @@ int main(int argc, char **argv)
     if (!parse(argc, argv, options)) {
         std::fprintf(stderr, "usage: image_sweep FILE.csv [--size N] [--samples MOST] [--seed S] "
                              "[--threads T]\n       [--dome RADIANCE] [--groom PATH] "
-                             "[--only GROOM,COLOR,LIGHT] [--pictures FOLDER]\n");
+                             "[--only GROOM,COLOR,LIGHT] [--pictures FOLDER] [--films FOLDER]\n");
         return 2;
     }
     try {

@@ -2,7 +2,7 @@
 // predictor in the trade table is fitted on, and what the chooser is tried on.
 //
 //   trade_sweep FILE.csv --from SEED --count N [--samples MOST] [--threads T]
-//               [--paths SEED] [--films FOLDER]
+//               [--paths SEED] [--films FOLDER] [--tier TIER]
 //   trade_sweep --print SEED     that scene, as a scene file
 //
 // Adds a scene's rows to FILE.csv at once when it is done; scenes that stand there are left alone,
@@ -10,7 +10,8 @@
 // traits that the chooser goes by (scene/traits.h), rel MSE and error of the mean of that channel
 // and, the same in the three rows, of the picture (figures.h). Scenes: random_scene.h. The head is
 // there and lights the hair in the reference, as `tsuya reference` has it. --films keeps what was
-// traced (some 10 MB a scene): with it a change to a tier asks for new pictures only.
+// traced (some 10 MB a scene): with it a change to a tier asks for new pictures only, and with
+// --tier for those of that tier.
 #include "reference/cells.h"
 #include "reference/random_scene.h"
 #include "reference/world.h"
@@ -50,11 +51,23 @@ const std::vector<Tier> tiers_on_offer = {
 constexpr std::uint64_t least_samples = 48;
 
 struct Options {
-    std::string path, films;
+    std::string path, films, tier;
     std::uint64_t from = 1, count = 0, samples = 128;
     std::uint64_t paths = 0; // other numbers, other paths through the same scenes
     unsigned threads = std::max(1u, std::thread::hardware_concurrency());
 };
+
+// All on offer, or the one of that name.
+std::vector<Tier> tiers_asked(const Options &options)
+{
+    std::vector<Tier> result;
+    for (const Tier &tier : tiers_on_offer) {
+        if (options.tier.empty() || options.tier == tier.name) {
+            result.push_back(tier);
+        }
+    }
+    return result;
+}
 
 bool parse(int argc, char **argv, Options &options)
 {
@@ -75,6 +88,8 @@ bool parse(int argc, char **argv, Options &options)
             options.paths = std::strtoull(value, nullptr, 10);
         } else if (word == "--films") {
             options.films = value;
+        } else if (word == "--tier") {
+            options.tier = value;
         } else if (word == "--samples") {
             options.samples =
                 std::strtoull(value, nullptr, 10) / Batches::count * std::uint64_t(Batches::count);
@@ -84,7 +99,8 @@ bool parse(int argc, char **argv, Options &options)
             return false;
         }
     }
-    return !options.path.empty() && options.count > 0 && options.samples >= Batches::count;
+    return !options.path.empty() && options.count > 0 && options.samples >= Batches::count &&
+           !tiers_asked(options).empty();
 }
 
 std::set<std::uint64_t> scenes_in(const std::string &path)
@@ -123,7 +139,7 @@ Expected<Drawn> take(scene::Studio &studio, std::uint64_t seed, const Options &o
     drawn.traits = scene::traits(*plain, *hair, *fiber, frame);
     draw::Renderer &renderer = studio.renderer();
     Expected<bool> good = renderer.load(hair->groom, hair->head, hair->solid);
-    for (const Tier &tier : tiers_on_offer) {
+    for (const Tier &tier : tiers_asked(options)) {
         const Expected<scene::Scene> scene = scene::override(*plain, tier.words);
         const Expected<scene::Material> material =
             scene ? scene::material(*scene) : Error{scene.error()};
@@ -169,18 +185,19 @@ Expected<Drawn> take(scene::Studio &studio, std::uint64_t seed, const Options &o
     }
 }
 
-std::string rows(std::uint64_t seed, const Drawn &drawn)
+std::string rows(std::uint64_t seed, const Options &options, const Drawn &drawn)
 {
+    const std::vector<Tier> tiers = tiers_asked(options);
     std::string text;
     const scene::Traits &t = drawn.traits;
-    for (std::size_t k = 0; k < tiers_on_offer.size(); k++) {
+    for (std::size_t k = 0; k < tiers.size(); k++) {
         const Figures &f = drawn.figures[k];
         for (std::size_t c = 0; c < 3; c++) {
             char line[512];
             std::snprintf(line, sizeof line,
                           "%llu,%s,%c,%.5g,%.4f,%.4f,%.4g,%.4g,%.4f,%.4f,%.0f,%.5g,%.2g,%.5f,%.2g,"
                           "%llu,%.5g,%.2g,%.5f,%.2g\n",
-                          static_cast<unsigned long long>(seed), tiers_on_offer[k].name, "rgb"[c],
+                          static_cast<unsigned long long>(seed), tiers[k].name, "rgb"[c],
                           t.sigma_a[int(c)], t.sky_share, t.light_cosine, t.strand_pixels, t.depth,
                           t.curl, t.beta_R, t.covered_pixels, f.channel_mse[c].value,
                           f.channel_mse[c].error, 1.0 + f.channel_error[c].value,
@@ -217,7 +234,7 @@ int run(const Options &options)
         if (!drawn) { // hair that cannot be grown: too few points for its curls
             std::fprintf(stderr, "trade_sweep: without scene %llu: %s\n",
                          static_cast<unsigned long long>(seed), drawn.error().c_str());
-        } else if (!append(rows(seed, *drawn))) {
+        } else if (!append(rows(seed, options, *drawn))) {
             std::fprintf(stderr, "trade_sweep: cannot write %s\n", options.path.c_str());
             return 1;
         }
@@ -238,7 +255,8 @@ int main(int argc, char **argv)
     Options options;
     if (!parse(argc, argv, options)) {
         std::fprintf(stderr, "usage: trade_sweep FILE.csv --from SEED --count N [--samples MOST] "
-                             "[--threads T] [--paths SEED] [--films FOLDER]\n");
+                             "[--threads T] [--paths SEED] [--films FOLDER] "
+                             "[--tier TIER]\n");
         return 2;
     }
     try {
