@@ -11,6 +11,13 @@ struct tsu_plane_parallel_hair_lobes {
     vec3 multiple; // light that has met other fibres; without what comes back where that is dropped
 };
 
+// Fibres that diffuse light meets on its way to a surface `fibres` away: light that was sent on
+// keeps its way for a while.
+float tsu_plane_parallel_hair_delayed(float fibres)
+{
+    return fibres + (1.8 * exp2(-0.25 * fibres) - 1.8);
+}
+
 tsu_dual_scattering_stream tsu_plane_parallel_hair_at(int material, vec3 t, vec3 v, vec3 sigma_a)
 {
     vec4 place = TSU_RECORD(material, 6);
@@ -28,7 +35,8 @@ tsu_plane_parallel_hair_lobes tsu_plane_parallel_hair_eval(int material, vec3 t,
     vec2 lobes = tsu_dual_scattering_near_far(material, t, l, v, front);
     return tsu_plane_parallel_hair_lobes(
         direct * tsu_marschner_sum(tsu_marschner_eval(material, t, l, v, sigma_a)),
-        tsu_dual_scattering_thick(tsu_plane_parallel_hair_at(material, t, v, sigma_a), front,
+        tsu_dual_scattering_thick(tsu_plane_parallel_hair_at(material, t, v, sigma_a),
+                                  tsu_plane_parallel_hair_delayed(front),
                                   pow(direct, TSU_RECORD(material, 3).w), lobes.x, lobes.y));
 }
 
@@ -40,9 +48,10 @@ tsu_plane_parallel_hair_lobes tsu_plane_parallel_hair_finite_eval(int material, 
     vec2 lobes = tsu_dual_scattering_near_far(material, t, l, v, front);
     return tsu_plane_parallel_hair_lobes(
         direct * tsu_marschner_sum(tsu_marschner_eval(material, t, l, v, sigma_a)),
-        tsu_dual_scattering_finite(tsu_plane_parallel_hair_at(material, t, v, sigma_a), front,
-                                   behind, pow(direct, TSU_RECORD(material, 3).w), lobes.x,
-                                   lobes.y));
+        tsu_dual_scattering_finite(tsu_plane_parallel_hair_at(material, t, v, sigma_a),
+                                   tsu_plane_parallel_hair_delayed(front),
+                                   tsu_plane_parallel_hair_delayed(behind),
+                                   pow(direct, TSU_RECORD(material, 3).w), lobes.x, lobes.y));
 }
 
 vec3 tsu_plane_parallel_hair_sum(tsu_plane_parallel_hair_lobes lobes)

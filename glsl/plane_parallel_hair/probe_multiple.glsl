@@ -11,11 +11,11 @@ void tsu_probe(int material, float x[16], out float y[8])
     vec3 sigma_a = vec3(x[1]);
     float tau = min(x[2], 1e4);
     float seen = 1.0 - exp(-tau), deepest = min(tau, 20.0);
-    // The fibre's own shares: the next 48 rows, 46.9999 of which are the extent of the fields.
+    // The fibre's own shares: 32 rows after 48, 46.9999 of which are the extent of the fields.
     vec4 place = TSU_RECORD(material, 6);
     vec4 shares =
         textureLod(tsu_tables, vec2(tsu_dual_scattering_columns(place, sigma_a).x,
-                                    (cos(x[0]) + 48.0 / 46.9999) * place.w + place.y),
+                                    (cos(x[0]) * 30.9999 + 48.0) / 46.9999 * place.w + place.y),
                    0.0);
     y[0] = shares.x;
     y[1] = shares.y;

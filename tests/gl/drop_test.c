@@ -156,10 +156,11 @@ static void hair_without_what_comes_back(void **state)
          "tsu_dual_scattering_finite(tsu_dual_scattering_at(material, t, v, sigma), front, "
          "behind, " ON},
         {"plane_parallel_hair", "tsu_plane_parallel_hair_eval" REST ".multiple",
-         "tsu_dual_scattering_thick(tsu_plane_parallel_hair_at(material, t, v, sigma), front, " ON},
+         "tsu_dual_scattering_thick(tsu_plane_parallel_hair_at(material, t, v, sigma), "
+         "tsu_plane_parallel_hair_delayed(front), " ON},
         {"plane_parallel_hair", "tsu_plane_parallel_hair_finite_eval" FINITE ".multiple",
-         "tsu_dual_scattering_finite(tsu_plane_parallel_hair_at(material, t, v, sigma), front, "
-         "behind, " ON},
+         "tsu_dual_scattering_finite(tsu_plane_parallel_hair_at(material, t, v, sigma), "
+         "tsu_plane_parallel_hair_delayed(front), tsu_plane_parallel_hair_delayed(behind), " ON},
     };
     const uint32_t material = add(tsu_dual_scattering());
     for (int i = 0; i < 4; i++) {

@@ -64,11 +64,12 @@ static void model_lobe(int model, int far, double sigma_a, double front, double 
                        const double theta[THETAS], double power[THETAS])
 {
     const int plane = model == PLANE_PARALLEL, width = plane ? LAYER_WIDTH : SPREAD_WIDTH;
-    const int rows = plane ? LAYER_LOBE_ROWS : SPREAD_ROWS, first = plane ? 2 * LAYER_ROWS : 0;
+    const int rows = plane ? LAYER_LOBE_ROWS : SPREAD_ROWS, first = plane ? LAYER_LOBES : 0;
     const float *texels = plane ? room->layer[0][0] : room->spread[0][0];
     const double x = exp(-(double)FRONT_RATE * front) * (width - 1);
+    const double place = tsu_i_dual_sigma_place((float)sigma_a);
     const double y =
-        first + far * rows + tsu_i_dual_sigma_place((float)sigma_a) * (double)DUAL_SPAN(rows);
+        first + far * rows + (plane ? sqrt(place) : place) * (double)DUAL_SPAN(rows);
     const double a = between(texels, width, x, y, 0), b = between(texels, width, x, y, 1);
     const double c = between(texels, width, x, y, 2), sin_r = sin(theta_r), cos_r = cos(theta_r);
     for (int t = 0; t < THETAS; t++) {

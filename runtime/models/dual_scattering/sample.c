@@ -37,7 +37,10 @@ static float finite(const struct tsu_i_dual_slab *m, const struct marschner_view
                     float behind, float direct)
 {
     const float *s = m->stream;
-    const float x = exp2f(-front * s[0]), z = exp2f(-2.0f * behind * s[0]) * s[1];
+    const float single = powf(direct, m->record[15]);
+    const float above = front - m->delay * (1.0f - expf(-FRONT_RATE * front));
+    const float below = behind - m->delay * (1.0f - expf(-FRONT_RATE * behind));
+    const float x = exp2f(-above * s[0]), z = exp2f(-2.0f * below * s[0]) * s[1];
     const float p = s[3] * s[1] + s[2], q = s[2] * s[1] + s[3];
     const float scale = x / (1.0f - x * s[1] * (x * z));
     const float column = expf(-FRONT_RATE * front) * (float)(m->columns - 1);
@@ -49,7 +52,7 @@ static float finite(const struct tsu_i_dual_slab *m, const struct marschner_view
     const float near = m->record[19] * c * c * lobe_value(lobe[0], view->products);
     const float far = m->record[22] * d * d * lobe_value(lobe[1], view->products);
     const float multiple = ((p - q * z) * near + (q - p * z) * far) * scale -
-                           powf(direct, m->record[15]) * (s[2] * near + s[3] * far);
+                           single * (s[2] * near + s[3] * far);
     return direct * fiber(m, view) + fmaxf(multiple, 0.0f);
 }
 

@@ -80,6 +80,7 @@ struct tsu_i_dual_slab {
     float stream[4];   // k, r, shares back and on
     int columns, rows; // of `lobes`
     float row[2];      // in `lobes` of light that comes back, and that goes on
+    float delay;       // fibres that diffuse light is spared near a surface, in time
 };
 void tsu_i_dual_slab(const struct tsu_i_dual_slab *slab, double tau, double out[4]);
 void tsu_i_dual_sampled_exact(const void *state, const float *record,

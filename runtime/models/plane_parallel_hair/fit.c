@@ -13,7 +13,7 @@ enum { PHIS = 8, DEPTHS = 16, UNKNOWNS = 4, ROWS = 3 * FITTED_TAUS + UNKNOWNS };
 
 // One way to the light out of one depth.
 struct way {
-    double above, below;               // fibres on it, from the fibre to either surface
+    double above, below;               // fibres on it, from the fibre to either surface, delayed
     double near, far;                  // weights of the two distributions times the depth's
     double single_above, single_below; // direct^gamma
 };
@@ -21,6 +21,11 @@ struct ways {
     struct way ways[FITTED_TAUS][PHIS * DEPTHS];
     double r[FITTED_TAUS], t[FITTED_TAUS]; // single and unscattered light
 };
+
+static double delayed(double fibres)
+{
+    return fibres - (double)LAYER_DELAY * (1.0 - exp(-(double)FRONT_RATE * fibres));
+}
 
 static void lay_out(const struct tsu_i_strand *strand, double theta, double gamma,
                     struct ways *ways)
@@ -41,19 +46,20 @@ static void lay_out(const struct tsu_i_strand *strand, double theta, double gamm
             const double weight = TSU_I_PI / PHIS * share * exp(-depth);
             const double half = 0.5 * (1.0 + mu), scale = weight * 4.0 / (3.0 * TSU_I_PI);
             struct way *way = &ways->ways[i][j];
-            way->above = depth / mu;
-            way->below = (tau - depth) / mu;
+            const double above = depth / mu, below = (tau - depth) / mu;
             way->near = scale * half * half;
             way->far = scale * (1.0 - half) * (1.0 - half);
-            way->single_above = exp(-gamma * way->above);
-            way->single_below = exp(-gamma * way->below);
+            way->single_above = exp(-gamma * above);
+            way->single_below = exp(-gamma * below);
+            way->above = delayed(above);
+            way->below = delayed(below);
             double back = 0.5 * c[0][0], on = 0.5 * c[0][0];
             for (int k = 1; k < orders; k++) {
                 back += c[k][0] * cos(k * phi);
                 on += (k % 2 ? -1.0 : 1.0) * c[k][0] * cos(k * phi);
             }
-            ways->r[i] += weight * back / TSU_I_PI * exp(-way->above);
-            ways->t[i] += weight * on / TSU_I_PI * exp(-way->below);
+            ways->r[i] += weight * back / TSU_I_PI * exp(-above);
+            ways->t[i] += weight * on / TSU_I_PI * exp(-below);
         }
     }
 }
@@ -84,10 +90,11 @@ static void evaluate(const struct ways *ways, const double x[UNKNOWNS], struct l
     }
 }
 
-// In units of the error allowed: 5 % or 0.01; then what layers without absorption gain. The last
+// In units of the error allowed, 5 % or 0.01, which the second stage squares for the sake of the
+// largest; then what layers without absorption gain. The last
 // rows hold the unknowns near the closed form where the layers say little about them, so that
 // neighbours in inclination and absorption find the same of several minima and may be interpolated.
-static void residuals(const struct ways *ways, const struct layer_powers *truth,
+static void residuals(const struct ways *ways, const struct layer_powers *truth, int squared,
                       const double start[UNKNOWNS], const double x[UNKNOWNS], double out[ROWS])
 {
     static const double loose[UNKNOWNS] = {0.5, 0.5, 1.0, 0.6};
@@ -97,6 +104,8 @@ static void residuals(const struct ways *ways, const struct layer_powers *truth,
         out[2 * i] = (powers.r[i] - truth->r[i]) / fmax(0.05 * truth->r[i], 0.01);
         out[2 * i + 1] = (powers.t[i] - truth->t[i]) / fmax(0.05 * truth->t[i], 0.01);
     }
+    for (int i = 0; squared && i < 2 * FITTED_TAUS; i++)
+        out[i] *= fabs(out[i]);
     for (int i = 0; i < FITTED_TAUS; i++) {
         const double whole = truth->r[i] + truth->t[i];
         out[2 * FITTED_TAUS + i] =
@@ -141,6 +150,43 @@ static void normal_step(double jacobian[ROWS][UNKNOWNS], const double row[ROWS],
         step[k] = a[k][UNKNOWNS] / a[k][k];
 }
 
+// From x to the least sum of squares: Levenberg and Marquardt's steps.
+static void descend(const struct ways *ways, const struct layer_powers *powers, int squared,
+                    const double start[UNKNOWNS], double x[UNKNOWNS])
+{
+    double row[ROWS], damping = 1e-3;
+    residuals(ways, powers, squared, start, x, row);
+    for (int iteration = 0; iteration < 20; iteration++) {
+        double jacobian[ROWS][UNKNOWNS];
+        for (int k = 0; k < UNKNOWNS; k++) {
+            double moved[UNKNOWNS], other[ROWS];
+            memcpy(moved, x, sizeof moved);
+            moved[k] += 1e-4;
+            residuals(ways, powers, squared, start, moved, other);
+            for (int n = 0; n < ROWS; n++)
+                jacobian[n][k] = (other[n] - row[n]) * 1e4;
+        }
+        double step[UNKNOWNS], moved[UNKNOWNS], other[ROWS];
+        int better = 0;
+        for (int attempt = 0; attempt < 6 && !better; attempt++) {
+            normal_step(jacobian, row, damping, step);
+            for (int k = 0; k < UNKNOWNS; k++)
+                moved[k] = x[k] + step[k];
+            moved[1] = fmin(moved[1], 4.5); // r at most 0.989, as the closed form's floor
+            residuals(ways, powers, squared, start, moved, other);
+            better = square(other) < square(row);
+            damping *= better ? 0.3 : 10.0;
+        }
+        if (!better)
+            break;
+        const double gain = square(row) - square(other);
+        memcpy(x, moved, sizeof moved);
+        memcpy(row, other, sizeof row);
+        if (gain < 1e-4)
+            break;
+    }
+}
+
 void tsu_i_layer_fit(const struct tsu_i_strand *strand, double theta, double gamma,
                      const struct layer_powers *powers, struct layer_fit *fit)
 {
@@ -152,38 +198,10 @@ void tsu_i_layer_fit(const struct tsu_i_strand *strand, double theta, double gam
     lay_out(strand, theta, gamma, &ways);
     const double start[UNKNOWNS] = {log(stream.k), log(stream.r / (1.0 - stream.r)),
                                     stream.backward, stream.forward};
-    double x[UNKNOWNS], row[ROWS], damping = 1e-3;
+    double x[UNKNOWNS];
     memcpy(x, start, sizeof x);
-    residuals(&ways, powers, start, x, row);
-    for (int iteration = 0; iteration < 20; iteration++) {
-        double jacobian[ROWS][UNKNOWNS];
-        for (int k = 0; k < UNKNOWNS; k++) {
-            double moved[UNKNOWNS], other[ROWS];
-            memcpy(moved, x, sizeof moved);
-            moved[k] += 1e-4;
-            residuals(&ways, powers, start, moved, other);
-            for (int n = 0; n < ROWS; n++)
-                jacobian[n][k] = (other[n] - row[n]) * 1e4;
-        }
-        double step[UNKNOWNS], moved[UNKNOWNS], other[ROWS];
-        int better = 0;
-        for (int attempt = 0; attempt < 6 && !better; attempt++) {
-            normal_step(jacobian, row, damping, step);
-            for (int k = 0; k < UNKNOWNS; k++)
-                moved[k] = x[k] + step[k];
-            moved[1] = fmin(moved[1], 4.5); // r at most 0.989, as the closed form's floor
-            residuals(&ways, powers, start, moved, other);
-            better = square(other) < square(row);
-            damping *= better ? 0.3 : 10.0;
-        }
-        if (!better)
-            break;
-        const double gain = square(row) - square(other);
-        memcpy(x, moved, sizeof x);
-        memcpy(row, other, sizeof row);
-        if (gain < 1e-4)
-            break;
-    }
+    descend(&ways, powers, 0, start, x);
+    descend(&ways, powers, 1, start, x);
     fit->ln_k = (float)(x[0] - start[0]);
     fit->logit_r = (float)(x[1] - start[1]);
     fit->back = (float)(x[2] - start[2]);

@@ -47,8 +47,8 @@ static void sampled(const void *opaque, const float *record, const struct tsu_i_
                     const double *in, double *out)
 {
     const struct dual_state *state = opaque;
-    const float row =
-        2.0f * LAYER_ROWS + tsu_i_dual_material_place(&state->fiber) * DUAL_SPAN(LAYER_LOBE_ROWS);
+    const float row = (float)LAYER_LOBES +
+                      sqrtf(tsu_i_dual_material_place(&state->fiber)) * DUAL_SPAN(LAYER_LOBE_ROWS);
     struct tsu_i_dual_slab slab = {.record = record,
                                    .azimuthal = tables,
                                    .lobes = tables + 1,
@@ -56,6 +56,7 @@ static void sampled(const void *opaque, const float *record, const struct tsu_i_
                                    .sin_r = (float)sin(in[0]),
                                    .columns = LAYER_WIDTH,
                                    .rows = LAYER_HEIGHT,
+                                   .delay = LAYER_DELAY,
                                    .row = {row, row + LAYER_LOBE_ROWS}};
     const float cos_r = sqrtf(fabsf(1.0f - slab.sin_r * slab.sin_r));
     tsu_i_marschner_fetch(
@@ -66,7 +67,7 @@ static void sampled(const void *opaque, const float *record, const struct tsu_i_
     float shares[4];
     tsu_i_marschner_fetch(tables + 1, LAYER_WIDTH, LAYER_HEIGHT,
                           tsu_i_dual_sigma_place(slab.sigma_a) * (LAYER_WIDTH - 1),
-                          (float)fmax(cos(in[0]), 0.0) * DUAL_SPAN(LAYER_ROWS) + LAYER_ROWS,
+                          (float)fmax(cos(in[0]), 0.0) * DUAL_SPAN(LAYER_SHARE_ROWS) + LAYER_ROWS,
                           shares);
     out[0] = shares[0];
     out[1] = shares[1];

@@ -5,6 +5,7 @@
 #include <tsuya/models/plane_parallel_hair.h>
 #include <tsuya/models/marschner.h>
 
+#include <math.h>
 #include <string.h>
 
 typedef tsu_plane_parallel_hair_params params;
@@ -54,8 +55,8 @@ static const struct tsu_i_table tables[] = {
               .name = "layer",
               .axes =
                   "48 rows: x log2(1 + 250 sigma_a) / 13 in [0, 1], y sin(theta_r) (0.5 - 0.2 "
-                  "cos(theta_r)) + 0.5; 48: y cos(theta_r) in [0, 1]; twice 16: x exp2(-front / 4) "
-                  "in [0, 1], y absorption as before",
+                  "cos(theta_r)) + 0.5; 32: y cos(theta_r) in [0, 1]; twice 24: x exp2(-front / 4) "
+                  "in [0, 1], y root of absorption as before",
               .channels =
                   "k (log2(e) 2/pi), r, shares back and on; a_f, a_b; a, b, c of the lobes back "
                   "and on",
@@ -90,7 +91,7 @@ static void prepare(const void *from, void *to)
     tsu_i_marschner_prepare(&fiber, &state->fiber);
     state->d_f = p->d_f;
     state->d_b = p->d_b;
-    state->gamma = (float)tsu_i_two_stream_gamma(p->eta, p->beta_az);
+    state->gamma = (float)(tsu_i_two_stream_gamma(p->eta, p->beta_az) - LAYER_GAMMA);
 }
 
 static void record(const void *from, const struct tsu_i_place *places, float *out)
@@ -98,7 +99,7 @@ static void record(const void *from, const struct tsu_i_place *places, float *ou
     const struct dual_state *state = from;
     const struct tsu_i_place *layer = places + 1;
     const float width = (float)layer->width, height = (float)layer->height;
-    const float u = tsu_i_dual_material_place(&state->fiber);
+    const float root = sqrtf(tsu_i_dual_material_place(&state->fiber));
     tsu_i_marschner_record(&state->fiber, places, out);
     out[15] = state->gamma;
     // Over the integral of cos^4(phi/2).
@@ -110,7 +111,7 @@ static void record(const void *from, const struct tsu_i_place *places, float *ou
     out[26] = (float)(LAYER_WIDTH - 1) / (SIGMA_OCTAVES * width);
     out[27] = DUAL_SPAN(LAYER_ROWS) / height;
     out[28] = ((float)layer->x + 0.5f) / width;
-    out[29] = out[25] + (2.0f * LAYER_ROWS + u * DUAL_SPAN(LAYER_LOBE_ROWS)) / height;
+    out[29] = out[25] + ((float)LAYER_LOBES + root * DUAL_SPAN(LAYER_LOBE_ROWS)) / height;
     out[30] = (float)(LAYER_WIDTH - 1) / width;
 }
 

@@ -15,13 +15,13 @@ enum { FIRST_DOUBLINGS = 9 };
 double tsu_i_layer_sigma(int i)
 {
     // Denser where hair is light: there most of what is seen has met many fibres.
-    static const double nodes[SOLVED_SIGMAS] = {0.0, 0.003, 0.012, 0.05, 0.12, 0.3, 0.8, 3.0};
+    static const double nodes[SOLVED_SIGMAS] = {0.0, 0.0012, 0.005, 0.018, 0.06, 0.2, 0.7, 3.0};
     return nodes[i];
 }
 
 double tsu_i_layer_inclination(int i)
 {
-    return (i - SOLVED_THETAS / 2) * (15.0 * TSU_I_PI / 180.0);
+    return (i - SOLVED_THETAS / 2) * (5.0 * TSU_I_PI / 180.0);
 }
 
 double tsu_i_layer_depth(int i)
@@ -140,7 +140,7 @@ void tsu_i_layer_solve(const struct dual_state *state, int sigma, struct layer_r
             continue;
         for (int t = 0; t < SOLVED_THETAS; t++) {
             // Travel of the fixed direction: minus its inclination, on the grid of 5 degrees.
-            const int node = TSU_I_LAYER_THETAS / 2 - 3 * (t - SOLVED_THETAS / 2);
+            const int node = TSU_I_LAYER_THETAS / 2 - (t - SOLVED_THETAS / 2);
             tsu_i_layer_powers(&layer, node, powers[t].r + fitted, powers[t].t + fitted);
         }
         if (++fitted == FITTED_TAUS)

@@ -6,17 +6,19 @@
 #include "models/dual_scattering/state.h"
 #include "optics/fiber_layer.h"
 
-// Table "layer": 48 rows of fields over the view's inclination, 48 of shares over cos(theta_r), 16
+// Table "layer": 48 rows of fields over the view's inclination, 32 of shares over cos(theta_r), 24
 // of each lobe over absorption.
 enum {
     LAYER_WIDTH = 64,
     LAYER_ROWS = 48,
-    LAYER_LOBE_ROWS = 16,
-    LAYER_HEIGHT = 2 * LAYER_ROWS + 2 * LAYER_LOBE_ROWS
+    LAYER_SHARE_ROWS = 32,
+    LAYER_LOBE_ROWS = 24,
+    LAYER_LOBES = LAYER_ROWS + LAYER_SHARE_ROWS, // first row of the lobes
+    LAYER_HEIGHT = LAYER_LOBES + 2 * LAYER_LOBE_ROWS
 };
 
 // What is solved: absorptions, inclinations, and depths of the lobes.
-enum { SOLVED_SIGMAS = 8, SOLVED_THETAS = 11, SOLVED_DEPTHS = 8 };
+enum { SOLVED_SIGMAS = 8, SOLVED_THETAS = 31, SOLVED_DEPTHS = 8 };
 
 // Corrections of the closed form at one absorption and inclination, and lobes at one depth.
 struct layer_fit {
@@ -33,6 +35,12 @@ struct layer_solved {
 double tsu_i_layer_sigma(int i);       // absorption i of SOLVED_SIGMAS
 double tsu_i_layer_inclination(int i); // view inclination i of SOLVED_THETAS, radians
 double tsu_i_layer_depth(int i);       // depth i of SOLVED_DEPTHS, fibres; the first is 0
+
+// Light that an event sends on keeps its way for some fibres before it is diffuse: n fibres to a
+// surface count as n - LAYER_DELAY (1 - 2^(-n/4)).
+#define LAYER_DELAY 1.8f
+// With that delay gamma is so much less than the closed form's (two_stream.h).
+#define LAYER_GAMMA 0.02
 
 // Axis of the fields, [0, 1]: sin(theta_r) (0.5 - LAYER_STEEP cos(theta_r)) + 0.5. Nearly even in
 // theta_r, denser along the fibres, where k and r change fastest and sin(theta_r) stands still.

@@ -4,8 +4,8 @@
 // "fields":
 //     log2(e) (2/pi) k, r, shares back and on of the first event, as corrected, over the
 //     lobes' powers
-// 48 rows, cos(theta_r) = j/47: the fibre's own aligned shares forward and backward, for hosts that
-// follow light themselves. Then twice 16 rows of absorption, columns fibres in front: a, b, c of
+// 32 rows, cos(theta_r) = j/31: the fibre's own aligned shares forward and backward, for hosts that
+// follow light themselves. Then twice 24 rows, root of absorption's column: a, b, c over fibres of
 // the lobe of light that comes back and of light that goes on.
 //
 // A unit solves one absorption and leaves its numbers in its first row; the last touch reads all of
@@ -39,6 +39,9 @@ double tsu_i_layer_row(int i)
     return 0.5 * (low + high);
 }
 
+// Depths that lobe_powers() looks at: 1, 2, 4, 8, 16 fibres in front.
+enum { LOBE_DEPTHS = 5 };
+
 // The steepest inclination solved.
 #define STEEPEST (75.0 * TSU_I_PI / 180.0)
 
@@ -53,43 +56,35 @@ static double smooth(const double *values, int count, double x)
            0.5 * f * (c - a + f * (2.0 * a - 5.0 * b + 4.0 * c - d + f * (3.0 * (b - c) + d - a)));
 }
 
-// Between the solved absorptions, straight over the axis of absorption; the last one's beyond.
-// White fibres stand alone in the first column: k leaves their floor as a root of absorption, which
-// the closed form knows, so that up to the first that absorbs its own correction holds.
-static double over_sigma(const double values[SOLVED_SIGMAS], double u)
+// Between the solved absorptions, straight over the axis of absorption, or over its root; the last
+// one's beyond.
+static double over_sigma(const double values[SOLVED_SIGMAS], int root, double u)
 {
-    double low = tsu_i_dual_sigma_place((float)tsu_i_layer_sigma(1));
-    if (u < low)
-        return values[1] + (values[0] - values[1]) * fmax(1.0 - u * (LAYER_WIDTH - 1), 0.0);
-    for (int s = 1; s + 1 < SOLVED_SIGMAS; s++) {
-        const double high = tsu_i_dual_sigma_place((float)tsu_i_layer_sigma(s + 1));
-        if (u < high)
-            return values[s] + (values[s + 1] - values[s]) * (u - low) / (high - low);
+    double low = 0.0, at = root ? sqrt(u) : u;
+    for (int s = 0; s + 1 < SOLVED_SIGMAS; s++) {
+        const double place = (double)tsu_i_dual_sigma_place((float)tsu_i_layer_sigma(s + 1));
+        const double high = root ? sqrt(place) : place;
+        if (at < high)
+            return values[s] + (values[s + 1] - values[s]) * (at - low) / (high - low);
         low = high;
     }
     return values[SOLVED_SIGMAS - 1];
 }
 
-// Correction `which` at theta_r, up to the steepest inclination solved, and the place u of an
-// absorption in [0, 1].
-static double correction(const struct layer_solved solved[SOLVED_SIGMAS], int which, double theta,
-                         double u)
+// Correction `which` at one solved absorption and theta_r, up to the steepest inclination solved.
+static double correction(const struct layer_solved *solved, int which, double theta)
 {
-    double values[SOLVED_SIGMAS];
-    const double x = (theta + STEEPEST) / (2.0 * STEEPEST) * (SOLVED_THETAS - 1);
-    for (int s = 0; s < SOLVED_SIGMAS; s++) {
-        double over_theta[SOLVED_THETAS];
-        for (int t = 0; t < SOLVED_THETAS; t++)
-            over_theta[t] = (&solved[s].fits[t].ln_k)[which];
-        values[s] = smooth(over_theta, SOLVED_THETAS, x);
-    }
-    return over_sigma(values, u);
+    double values[SOLVED_THETAS];
+    for (int t = 0; t < SOLVED_THETAS; t++)
+        values[t] = (&solved->fits[t].ln_k)[which];
+    return smooth(values, SOLVED_THETAS,
+                  (theta + STEEPEST) / (2.0 * STEEPEST) * (SOLVED_THETAS - 1));
 }
 
-static struct tsu_i_turn turn_of(const struct dual_state *state, double theta, int column)
+static struct tsu_i_turn turn_of(const struct dual_state *state, double theta, double sigma_a)
 {
     struct tsu_i_strand strand = {.eta = state->fiber.eta,
-                                  .sigma_a = tsu_i_dual_sigma_node(column, LAYER_WIDTH),
+                                  .sigma_a = sigma_a,
                                   .beta_az = state->fiber.beta_az,
                                   .kind = TSU_I_STRAND_DEON,
                                   .lobes = TSU_I_LOBES};
@@ -113,45 +108,109 @@ static double lobe_number(const struct layer_solved solved[SOLVED_SIGMAS], int w
         const double low = (&solved[s].lobes[i].mean[0])[which];
         values[s] = low + (x - i) * ((&solved[s].lobes[i + 1].mean[0])[which] - low);
     }
-    return over_sigma(values, u);
+    return over_sigma(values, 1, u);
 }
 
-// What the shader makes of the lobes' unit power, both sides' mean behind a few fibres.
-static double lobe_powers(const struct layer_solved *solved, double theta, double u)
+// Row of the lobes for the place u of an absorption, from 0: denser where next to nothing absorbs,
+// since a lobe between two rows has unit power only where they are alike.
+static double lobe_row(double u)
 {
-    const double front = 8.0;
+    return sqrt(u) * (LAYER_LOBE_ROWS - 1);
+}
+
+// What the shader makes of the lobes' unit power: the mean over both sides and some depths.
+static double lobe_powers(const float *texels, double theta, double u)
+{
+    const double row = fmin(lobe_row(u), LAYER_LOBE_ROWS - 1.001);
+    const int j = (int)row;
     double sum = 0.0;
-    for (int side = 0; side < 2; side++) {
-        float lobe[4];
-        const struct tsu_i_dual_moments moments = {lobe_number(solved, side, front, u),
-                                                   lobe_number(solved, 2 + side, front, u)};
-        tsu_i_dual_lobe(&moments, lobe);
-        sum += 0.5 * tsu_i_dual_lobe_power(lobe, theta);
-    }
+    for (int side = 0; side < 2; side++)
+        for (int depth = 0; depth < LOBE_DEPTHS; depth++) {
+            const double x = exp(-(double)FRONT_RATE * (1 << depth)) * (LAYER_WIDTH - 1);
+            const float *near =
+                texels + 4 * ((LAYER_LOBES + side * LAYER_LOBE_ROWS + j) * LAYER_WIDTH + (int)x);
+            float lobe[4];
+            for (int c = 0; c < 4; c++)
+                lobe[c] = (float)(near[c] + (row - j) * (near[4 * LAYER_WIDTH + c] - near[c]));
+            sum += tsu_i_dual_lobe_power(lobe, theta) / (2 * LOBE_DEPTHS);
+        }
     return sum;
 }
 
-// Beyond the steepest inclination solved the first event is the closed form's, which is right along
-// the fibres, where all is reflected, and its corrections fade. Later events happen less steeply: k
-// and r move on by 0.4 of the inclination alone, which fits walks of light seen at 78 to 88
-// degrees.
-static void field(const struct dual_state *state, const struct layer_solved *solved, double theta,
-                  int column, float out[4])
+// The four numbers of the closed form, corrected.
+struct numbers {
+    double k, r, back, on;
+};
+
+// With these corrections. Beyond the steepest inclination solved the first event is the closed
+// form's, which is right along the fibres, where all is reflected, and its corrections fade. Later
+// events happen less steeply: k and r move on by 0.4 of the inclination alone, which fits walks of
+// light seen at 78 to 88 degrees.
+static struct numbers corrected(const struct dual_state *state, const double corrections[4],
+                                double theta, double sigma_a)
 {
     const double inner = fmin(fmax(theta, -STEEPEST), STEEPEST);
     const double steep = theta == inner ? 1.0 : cos(theta) / cos(STEEPEST);
-    const struct tsu_i_turn turn = turn_of(state, theta, column);
-    const struct tsu_i_turn later = turn_of(state, inner + 0.4 * (theta - inner), column);
+    const struct tsu_i_turn turn = turn_of(state, theta, sigma_a);
+    const struct tsu_i_turn later = turn_of(state, inner + 0.4 * (theta - inner), sigma_a);
     const struct tsu_i_stream first = tsu_i_two_stream(&turn, state->fiber.eta, state->gamma);
     const struct tsu_i_stream stream = tsu_i_two_stream(&later, state->fiber.eta, state->gamma);
+    const double logit = log(stream.r / (1.0 - stream.r)) + corrections[1];
+    return (struct numbers){.k = stream.k * exp(corrections[0]),
+                            .r = 1.0 / (1.0 + exp(-logit)),
+                            .back = first.backward + steep * corrections[2],
+                            .on = first.forward + steep * corrections[3]};
+}
+
+// Up to the first absorption solved that is none, k rises as a root from its floor, and what is
+// straight is k^2 and the share that turns back, 2 k r / (1 - r^2).
+static struct numbers nearly_white(const struct dual_state *state,
+                                   const struct layer_solved solved[2], double theta, double inner,
+                                   double sigma_a)
+{
+    struct numbers ends[2];
+    double turned[2];
+    for (int s = 0; s < 2; s++) {
+        double corrections[4];
+        for (int i = 0; i < 4; i++)
+            corrections[i] = correction(solved + s, i, inner);
+        ends[s] = corrected(state, corrections, theta, tsu_i_layer_sigma(s));
+        turned[s] = 2.0 * ends[s].k * ends[s].r / (1.0 - ends[s].r * ends[s].r);
+    }
+    const struct numbers a = ends[0], b = ends[1];
+    const double f = sigma_a / tsu_i_layer_sigma(1);
+    const double k = sqrt(a.k * a.k + f * (b.k * b.k - a.k * a.k));
+    const double back = turned[0] + f * (turned[1] - turned[0]);
+    return (struct numbers){.k = k,
+                            .r = back / (sqrt(k * k + back * back) + k),
+                            .back = a.back + f * (b.back - a.back),
+                            .on = a.on + f * (b.on - a.on)};
+}
+
+static void field(const struct dual_state *state, const struct layer_solved *solved,
+                  const float *texels, double theta, int column, float out[4])
+{
+    const double inner = fmin(fmax(theta, -STEEPEST), STEEPEST);
     const double u = (double)column / (LAYER_WIDTH - 1);
-    const double logit = log(stream.r / (1.0 - stream.r)) + correction(solved, 1, inner, u);
-    out[0] =
-        (float)(TSU_I_LOG2E * 2.0 / TSU_I_PI * stream.k * exp(correction(solved, 0, inner, u)));
-    out[1] = (float)(1.0 / (1.0 + exp(-logit)));
-    const double powers = lobe_powers(solved, theta, u);
-    out[2] = (float)((first.backward + steep * correction(solved, 2, inner, u)) / powers);
-    out[3] = (float)((first.forward + steep * correction(solved, 3, inner, u)) / powers);
+    const double sigma_a = tsu_i_dual_sigma_node(column, LAYER_WIDTH);
+    struct numbers n;
+    if (sigma_a < tsu_i_layer_sigma(1)) {
+        n = nearly_white(state, solved, theta, inner, sigma_a);
+    } else {
+        double corrections[4];
+        for (int i = 0; i < 4; i++) {
+            double values[SOLVED_SIGMAS];
+            for (int s = 0; s < SOLVED_SIGMAS; s++)
+                values[s] = correction(solved + s, i, inner);
+            corrections[i] = over_sigma(values, 0, u);
+        }
+        n = corrected(state, corrections, theta, sigma_a);
+    }
+    const double powers = lobe_powers(texels, theta, u);
+    out[0] = (float)(TSU_I_LOG2E * 2.0 / TSU_I_PI * n.k);
+    out[1] = (float)n.r;
+    out[2] = (float)(n.back / powers);
+    out[3] = (float)(n.on / powers);
 }
 
 void tsu_i_layer_finish(const void *opaque, float *texels)
@@ -160,26 +219,31 @@ void tsu_i_layer_finish(const void *opaque, float *texels)
     struct layer_solved solved[SOLVED_SIGMAS];
     for (int s = 0; s < SOLVED_SIGMAS; s++)
         memcpy(solved + s, texels + s * LAYER_WIDTH * 4, sizeof *solved);
-    for (int j = 0; j < LAYER_ROWS; j++) {
-        const double theta = tsu_i_layer_row(j);
-        const double fallen = acos(fmax((double)j / (LAYER_ROWS - 1), 1e-3));
-        for (int i = 0; i < LAYER_WIDTH; i++) {
-            const struct tsu_i_turn turn = turn_of(state, fallen, i);
-            float *shares = texels + 4 * ((LAYER_ROWS + j) * LAYER_WIDTH + i);
-            shares[0] = (float)turn.forward;
-            shares[1] = (float)turn.backward;
-            shares[2] = shares[3] = 0.0f;
-            field(state, solved, theta, i, texels + 4 * (j * LAYER_WIDTH + i));
-        }
-    }
     for (int side = 0; side < 2; side++)
         for (int j = 0; j < LAYER_LOBE_ROWS; j++)
             for (int i = 0; i < LAYER_WIDTH; i++) {
                 const double front = tsu_i_dual_front_node(i, LAYER_WIDTH);
-                const double u = (double)j / (LAYER_LOBE_ROWS - 1);
+                const double root = (double)j / (LAYER_LOBE_ROWS - 1), u = root * root;
                 const struct tsu_i_dual_moments moments = {lobe_number(solved, side, front, u),
                                                            lobe_number(solved, 2 + side, front, u)};
-                const int row = 2 * LAYER_ROWS + side * LAYER_LOBE_ROWS + j;
-                tsu_i_dual_lobe(&moments, texels + 4 * (row * LAYER_WIDTH + i));
+                const int row = LAYER_LOBES + side * LAYER_LOBE_ROWS + j;
+                float *lobe = texels + 4 * (row * LAYER_WIDTH + i);
+                tsu_i_dual_lobe(&moments, lobe);
+                // Its power in the shader, whose I0e is a fit, at a common inclination.
+                lobe[2] -= (float)log2(tsu_i_dual_lobe_power(lobe, 0.35));
             }
+    for (int j = 0; j < LAYER_SHARE_ROWS; j++) {
+        const double fallen = acos(fmax((double)j / (LAYER_SHARE_ROWS - 1), 1e-3));
+        for (int i = 0; i < LAYER_WIDTH; i++) {
+            const struct tsu_i_turn turn =
+                turn_of(state, fallen, tsu_i_dual_sigma_node(i, LAYER_WIDTH));
+            float *shares = texels + 4 * ((LAYER_ROWS + j) * LAYER_WIDTH + i);
+            shares[0] = (float)turn.forward;
+            shares[1] = (float)turn.backward;
+            shares[2] = shares[3] = 0.0f;
+        }
+    }
+    for (int j = 0; j < LAYER_ROWS; j++)
+        for (int i = 0; i < LAYER_WIDTH; i++)
+            field(state, solved, texels, tsu_i_layer_row(j), i, texels + 4 * (j * LAYER_WIDTH + i));
 }

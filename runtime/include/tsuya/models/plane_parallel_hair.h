@@ -7,8 +7,10 @@
 // one fitted constant; here the layer problem of this very fibre is solved for eight absorptions when
 // its table is baked (optics/fiber_layer.h) and the closed form's four numbers are corrected, for each
 // inclination and absorption, so that layers of 0.5 to 16 fibres and a half space reflect and transmit
-// what the solution says. The lobes are those that come nearest to the solution's distribution over
-// theta_i + theta_r. The price a light is dual_scattering's.
+// what the solution says. Light that is sent on keeps its way for some fibres before it is diffuse:
+// the closed form counts n fibres to a surface as n - 1.8 (1 - 2^(-n/4)). The lobes are those that
+// come nearest to the solution's distribution over theta_i + theta_r. The price a light is
+// dual_scattering's and 6 to 18 clocks.
 //
 // Tables: azimuthal (marschner's), layer 64 x 128 = 64 KiB (all of the fibre's shape). Colour bakes
 //         nothing and may vary per fragment. A bake takes seconds: give the context a jobs callback
