@@ -14,7 +14,7 @@ void tsu_probe(int material, float x[16], out float y[8])
     // The fibre's own shares: 32 rows after 48, 46.9999 of which are the extent of the fields.
     vec4 place = TSU_RECORD(material, 6);
     vec4 shares =
-        textureLod(tsu_tables, vec2(tsu_dual_scattering_columns(place, sigma_a).x,
+        textureLod(tsu_tables, vec2(tsu_plane_parallel_hair_columns(place, sigma_a).x,
                                     (cos(x[0]) * 30.9999 + 48.0) / 46.9999 * place.w + place.y),
                    0.0);
     y[0] = shares.x;

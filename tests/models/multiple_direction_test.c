@@ -67,9 +67,10 @@ static void model_lobe(int model, int far, double sigma_a, double front, double 
     const int rows = plane ? LAYER_LOBE_ROWS : SPREAD_ROWS, first = plane ? LAYER_LOBES : 0;
     const float *texels = plane ? room->layer[0][0] : room->spread[0][0];
     const double x = exp(-(double)FRONT_RATE * front) * (width - 1);
-    const double place = tsu_i_dual_sigma_place((float)sigma_a);
-    const double y =
-        first + far * rows + (plane ? sqrt(place) : place) * (double)DUAL_SPAN(rows);
+    const float same = (float)sigma_a, all[3] = {same, same, same};
+    const float row =
+        plane ? tsu_i_layer_lobe(all) : tsu_i_dual_sigma_place(same) * DUAL_SPAN(SPREAD_ROWS);
+    const double y = first + far * rows + (double)row;
     const double a = between(texels, width, x, y, 0), b = between(texels, width, x, y, 1);
     const double c = between(texels, width, x, y, 2), sin_r = sin(theta_r), cos_r = cos(theta_r);
     for (int t = 0; t < THETAS; t++) {

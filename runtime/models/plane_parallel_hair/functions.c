@@ -47,8 +47,7 @@ static void sampled(const void *opaque, const float *record, const struct tsu_i_
                     const double *in, double *out)
 {
     const struct dual_state *state = opaque;
-    const float row = (float)LAYER_LOBES +
-                      sqrtf(tsu_i_dual_material_place(&state->fiber)) * DUAL_SPAN(LAYER_LOBE_ROWS);
+    const float row = LAYER_LOBES + tsu_i_layer_lobe(state->fiber.sigma_a);
     struct tsu_i_dual_slab slab = {.record = record,
                                    .azimuthal = tables,
                                    .lobes = tables + 1,
@@ -60,15 +59,13 @@ static void sampled(const void *opaque, const float *record, const struct tsu_i_
                                    .row = {row, row + LAYER_LOBE_ROWS}};
     const float cos_r = sqrtf(fabsf(1.0f - slab.sin_r * slab.sin_r));
     tsu_i_marschner_fetch(
-        tables + 1, LAYER_WIDTH, LAYER_HEIGHT,
-        tsu_i_dual_sigma_place(slab.sigma_a) * (LAYER_WIDTH - 1),
+        tables + 1, LAYER_WIDTH, LAYER_HEIGHT, tsu_i_layer_place(slab.sigma_a) * (LAYER_WIDTH - 1),
         (slab.sin_r * (0.5f - LAYER_STEEP * cos_r) + 0.5f) * DUAL_SPAN(LAYER_ROWS), slab.stream);
     tsu_i_dual_slab(&slab, in[2], out);
     float shares[4];
-    tsu_i_marschner_fetch(tables + 1, LAYER_WIDTH, LAYER_HEIGHT,
-                          tsu_i_dual_sigma_place(slab.sigma_a) * (LAYER_WIDTH - 1),
-                          (float)fmax(cos(in[0]), 0.0) * DUAL_SPAN(LAYER_SHARE_ROWS) + LAYER_ROWS,
-                          shares);
+    tsu_i_marschner_fetch(
+        tables + 1, LAYER_WIDTH, LAYER_HEIGHT, tsu_i_layer_place(slab.sigma_a) * (LAYER_WIDTH - 1),
+        (float)fmax(cos(in[0]), 0.0) * DUAL_SPAN(LAYER_SHARE_ROWS) + LAYER_ROWS, shares);
     out[0] = shares[0];
     out[1] = shares[1];
 }

@@ -54,9 +54,9 @@ static const struct tsu_i_table tables[] = {
     {.info = {.struct_size = sizeof(tsu_table_info),
               .name = "layer",
               .axes =
-                  "48 rows: x log2(1 + 250 sigma_a) / 13 in [0, 1], y sin(theta_r) (0.5 - 0.2 "
+                  "48 rows: x log2(1 + 2000 sigma_a) / 16 in [0, 1], y sin(theta_r) (0.5 - 0.2 "
                   "cos(theta_r)) + 0.5; 32: y cos(theta_r) in [0, 1]; twice 24: x exp2(-front / 4) "
-                  "in [0, 1], y root of absorption as before",
+                  "in [0, 1], y x as before, to 3/4",
               .channels =
                   "k (log2(e) 2/pi), r, shares back and on; a_f, a_b; a, b, c of the lobes back "
                   "and on",
@@ -99,7 +99,7 @@ static void record(const void *from, const struct tsu_i_place *places, float *ou
     const struct dual_state *state = from;
     const struct tsu_i_place *layer = places + 1;
     const float width = (float)layer->width, height = (float)layer->height;
-    const float root = sqrtf(tsu_i_dual_material_place(&state->fiber));
+    const float lobe = tsu_i_layer_lobe(state->fiber.sigma_a);
     tsu_i_marschner_record(&state->fiber, places, out);
     out[15] = state->gamma;
     // Over the integral of cos^4(phi/2).
@@ -108,10 +108,10 @@ static void record(const void *from, const struct tsu_i_place *places, float *ou
     out[23] = (float)LAYER_LOBE_ROWS / height;
     out[24] = ((float)layer->x + (float)LAYER_WIDTH - 0.5f) / width;
     out[25] = ((float)layer->y + 0.5f) / height;
-    out[26] = (float)(LAYER_WIDTH - 1) / (SIGMA_OCTAVES * width);
+    out[26] = (float)(LAYER_WIDTH - 1) / (LAYER_OCTAVES * width);
     out[27] = DUAL_SPAN(LAYER_ROWS) / height;
     out[28] = ((float)layer->x + 0.5f) / width;
-    out[29] = out[25] + ((float)LAYER_LOBES + root * DUAL_SPAN(LAYER_LOBE_ROWS)) / height;
+    out[29] = out[25] + ((float)LAYER_LOBES + lobe) / height;
     out[30] = (float)(LAYER_WIDTH - 1) / width;
 }
 

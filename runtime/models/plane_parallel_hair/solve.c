@@ -15,7 +15,8 @@ enum { FIRST_DOUBLINGS = 9 };
 double tsu_i_layer_sigma(int i)
 {
     // Denser where hair is light: there most of what is seen has met many fibres.
-    static const double nodes[SOLVED_SIGMAS] = {0.0, 0.0012, 0.005, 0.018, 0.06, 0.2, 0.7, 3.0};
+    static const double nodes[SOLVED_SIGMAS] = {0.0,   0.0012, 0.006, 0.018, 0.035,
+                                                0.075, 0.22,   0.75,  3.0};
     return nodes[i];
 }
 

@@ -18,7 +18,7 @@ enum {
 };
 
 // What is solved: absorptions, inclinations, and depths of the lobes.
-enum { SOLVED_SIGMAS = 8, SOLVED_THETAS = 31, SOLVED_DEPTHS = 8 };
+enum { SOLVED_SIGMAS = 9, SOLVED_THETAS = 31, SOLVED_DEPTHS = 8 };
 
 // Corrections of the closed form at one absorption and inclination, and lobes at one depth.
 struct layer_fit {
@@ -46,6 +46,19 @@ double tsu_i_layer_depth(int i);       // depth i of SOLVED_DEPTHS, fibres; the 
 // theta_r, denser along the fibres, where k and r change fastest and sin(theta_r) stands still.
 #define LAYER_STEEP 0.2f
 double tsu_i_layer_row(int i); // inclination of row i of LAYER_ROWS, radians
+
+// Axis of absorption of fields and shares: log2(sigma_a / LAYER_LEAST + 1) / LAYER_OCTAVES, held to
+// [0, 1]. Finer than dual_scattering's below 0.001, where k is a root.
+#define LAYER_LEAST 0.0005f
+#define LAYER_OCTAVES 16.0f
+float tsu_i_layer_place(float sigma_a);
+double tsu_i_layer_column(int i); // absorption of column i of LAYER_WIDTH
+
+// Row of the lobes, from the first: the place to LAYER_LOBE_POWER, denser where next to nothing
+// absorbs, since a lobe between two rows has unit power only where they are alike. All channels of
+// a material share its lobes, at the mean of their places.
+#define LAYER_LOBE_POWER 0.75f
+float tsu_i_layer_lobe(const float sigma_a[3]);
 
 // solve.c: one absorption. Five azimuths leave 0.5 % of R and T.
 enum {

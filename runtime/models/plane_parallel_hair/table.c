@@ -1,12 +1,11 @@
 // The table "layer", colourless.
 //
-// Lower 48 rows, inclination theta_r (tsu_i_layer_row), columns absorption as in dual_scattering's
-// "fields":
+// Lower 48 rows, inclination theta_r (tsu_i_layer_row), columns absorption (tsu_i_layer_column):
 //     log2(e) (2/pi) k, r, shares back and on of the first event, as corrected, over the
 //     lobes' powers
 // 32 rows, cos(theta_r) = j/31: the fibre's own aligned shares forward and backward, for hosts that
-// follow light themselves. Then twice 24 rows, root of absorption's column: a, b, c over fibres of
-// the lobe of light that comes back and of light that goes on.
+// follow light themselves. Then twice 24 rows over absorption (tsu_i_layer_lobe): a, b, c over
+// fibres of the lobe of light that comes back and of light that goes on.
 //
 // A unit solves one absorption and leaves its numbers in its first row; the last touch reads all of
 // them and writes the table.
@@ -39,12 +38,27 @@ double tsu_i_layer_row(int i)
     return 0.5 * (low + high);
 }
 
+float tsu_i_layer_place(float sigma_a)
+{
+    const float u = log2f(sigma_a / LAYER_LEAST + 1.0f) / LAYER_OCTAVES;
+    return u < 0.0f ? 0.0f : u > 1.0f ? 1.0f : u;
+}
+
+double tsu_i_layer_column(int i)
+{
+    return (double)LAYER_LEAST * (exp2((double)LAYER_OCTAVES * i / (LAYER_WIDTH - 1)) - 1.0);
+}
+
+float tsu_i_layer_lobe(const float sigma_a[3])
+{
+    float place = 0.0f;
+    for (int k = 0; k < 3; k++)
+        place += tsu_i_layer_place(sigma_a[k]) / 3.0f;
+    return powf(place, LAYER_LOBE_POWER) * DUAL_SPAN(LAYER_LOBE_ROWS);
+}
+
 // Depths that lobe_powers() looks at: 1, 2, 4, 8, 16 fibres in front.
 enum { LOBE_DEPTHS = 5 };
-
-// What multiply scattered light loses in white hair: with less a white head, which is no slab, would
-// give over 1.03 of what it gets (tests/demo/furnace_test.py).
-#define WHITE_LOST 0.015
 
 // The steepest inclination solved.
 #define STEEPEST (75.0 * TSU_I_PI / 180.0)
@@ -60,16 +74,32 @@ static double smooth(const double *values, int count, double x)
            0.5 * f * (c - a + f * (2.0 * a - 5.0 * b + 4.0 * c - d + f * (3.0 * (b - c) + d - a)));
 }
 
-// Between the solved absorptions, straight over the axis of absorption, or over its root; the last
-// one's beyond.
-static double over_sigma(const double values[SOLVED_SIGMAS], int root, double u)
+static double field_axis(double sigma_a)
 {
-    double low = 0.0, at = root ? sqrt(u) : u;
+    return (double)tsu_i_layer_place((float)sigma_a);
+}
+
+static double lobe_axis(double sigma_a)
+{
+    const float same = (float)sigma_a;
+    return (double)tsu_i_layer_lobe((const float[]){same, same, same});
+}
+
+// Absorption of row j of the lobes.
+static double lobe_row(int j)
+{
+    const double place = pow((double)j / (LAYER_LOBE_ROWS - 1), 1.0 / (double)LAYER_LOBE_POWER);
+    return (double)LAYER_LEAST * (exp2((double)LAYER_OCTAVES * place) - 1.0);
+}
+
+// Between the solved absorptions, straight over the axis; the last one's beyond.
+static double over_sigma(const double values[SOLVED_SIGMAS], double (*axis)(double), double sigma_a)
+{
+    double low = axis(0.0);
     for (int s = 0; s + 1 < SOLVED_SIGMAS; s++) {
-        const double place = (double)tsu_i_dual_sigma_place((float)tsu_i_layer_sigma(s + 1));
-        const double high = root ? sqrt(place) : place;
-        if (at < high)
-            return values[s] + (values[s + 1] - values[s]) * (at - low) / (high - low);
+        const double next = tsu_i_layer_sigma(s + 1), high = axis(next);
+        if (sigma_a < next)
+            return values[s] + (values[s + 1] - values[s]) * (axis(sigma_a) - low) / (high - low);
         low = high;
     }
     return values[SOLVED_SIGMAS - 1];
@@ -100,7 +130,7 @@ static struct tsu_i_turn turn_of(const struct dual_state *state, double theta, d
 }
 
 static double lobe_number(const struct layer_solved solved[SOLVED_SIGMAS], int which, double front,
-                          double u)
+                          double sigma_a)
 {
     // Depth in fibres to the place on the axis of depths, 0 and doublings of 0.25.
     const double depth = front * (2.0 / TSU_I_PI);
@@ -112,20 +142,13 @@ static double lobe_number(const struct layer_solved solved[SOLVED_SIGMAS], int w
         const double low = (&solved[s].lobes[i].mean[0])[which];
         values[s] = low + (x - i) * ((&solved[s].lobes[i + 1].mean[0])[which] - low);
     }
-    return over_sigma(values, 1, u);
-}
-
-// Row of the lobes for the place u of an absorption, from 0: denser where next to nothing absorbs,
-// since a lobe between two rows has unit power only where they are alike.
-static double lobe_row(double u)
-{
-    return sqrt(u) * (LAYER_LOBE_ROWS - 1);
+    return over_sigma(values, lobe_axis, sigma_a);
 }
 
 // What the shader makes of the lobes' unit power: the mean over both sides and some depths.
-static double lobe_powers(const float *texels, double theta, double u)
+static double lobe_powers(const float *texels, double theta, double sigma_a)
 {
-    const double row = fmin(lobe_row(u), LAYER_LOBE_ROWS - 1.001);
+    const double row = lobe_axis(sigma_a);
     const int j = (int)row;
     double sum = 0.0;
     for (int side = 0; side < 2; side++)
@@ -179,10 +202,6 @@ static struct numbers nearly_white(const struct dual_state *state,
         for (int i = 0; i < 4; i++)
             corrections[i] = correction(solved + s, i, inner);
         ends[s] = corrected(state, corrections, theta, tsu_i_layer_sigma(s));
-        if (s == 0) {
-            ends[s].back *= 1.0 - WHITE_LOST;
-            ends[s].on *= 1.0 - WHITE_LOST;
-        }
         turned[s] = 2.0 * ends[s].k * ends[s].r / (1.0 - ends[s].r * ends[s].r);
     }
     const struct numbers a = ends[0], b = ends[1];
@@ -199,8 +218,7 @@ static void field(const struct dual_state *state, const struct layer_solved *sol
                   const float *texels, double theta, int column, float out[4])
 {
     const double inner = fmin(fmax(theta, -STEEPEST), STEEPEST);
-    const double u = (double)column / (LAYER_WIDTH - 1);
-    const double sigma_a = tsu_i_dual_sigma_node(column, LAYER_WIDTH);
+    const double sigma_a = tsu_i_layer_column(column);
     struct numbers n;
     if (sigma_a < tsu_i_layer_sigma(1)) {
         n = nearly_white(state, solved, theta, inner, sigma_a);
@@ -210,11 +228,11 @@ static void field(const struct dual_state *state, const struct layer_solved *sol
             double values[SOLVED_SIGMAS];
             for (int s = 0; s < SOLVED_SIGMAS; s++)
                 values[s] = correction(solved + s, i, inner);
-            corrections[i] = over_sigma(values, 0, u);
+            corrections[i] = over_sigma(values, field_axis, sigma_a);
         }
         n = corrected(state, corrections, theta, sigma_a);
     }
-    const double powers = lobe_powers(texels, theta, u);
+    const double powers = lobe_powers(texels, theta, sigma_a);
     out[0] = (float)(TSU_I_LOG2E * 2.0 / TSU_I_PI * n.k);
     out[1] = (float)n.r;
     out[2] = (float)(n.back / powers);
@@ -231,9 +249,10 @@ void tsu_i_layer_finish(const void *opaque, float *texels)
         for (int j = 0; j < LAYER_LOBE_ROWS; j++)
             for (int i = 0; i < LAYER_WIDTH; i++) {
                 const double front = tsu_i_dual_front_node(i, LAYER_WIDTH);
-                const double root = (double)j / (LAYER_LOBE_ROWS - 1), u = root * root;
-                const struct tsu_i_dual_moments moments = {lobe_number(solved, side, front, u),
-                                                           lobe_number(solved, 2 + side, front, u)};
+                const double sigma_a = lobe_row(j);
+                const struct tsu_i_dual_moments moments = {
+                    lobe_number(solved, side, front, sigma_a),
+                    lobe_number(solved, 2 + side, front, sigma_a)};
                 const int row = LAYER_LOBES + side * LAYER_LOBE_ROWS + j;
                 float *lobe = texels + 4 * (row * LAYER_WIDTH + i);
                 tsu_i_dual_lobe(&moments, lobe);
@@ -243,8 +262,7 @@ void tsu_i_layer_finish(const void *opaque, float *texels)
     for (int j = 0; j < LAYER_SHARE_ROWS; j++) {
         const double fallen = acos(fmax((double)j / (LAYER_SHARE_ROWS - 1), 1e-3));
         for (int i = 0; i < LAYER_WIDTH; i++) {
-            const struct tsu_i_turn turn =
-                turn_of(state, fallen, tsu_i_dual_sigma_node(i, LAYER_WIDTH));
+            const struct tsu_i_turn turn = turn_of(state, fallen, tsu_i_layer_column(i));
             float *shares = texels + 4 * ((LAYER_ROWS + j) * LAYER_WIDTH + i);
             shares[0] = (float)turn.forward;
             shares[1] = (float)turn.backward;

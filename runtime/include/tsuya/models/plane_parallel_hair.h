@@ -4,7 +4,7 @@
 //          1980, "Multiple Light Scattering" (adding and doubling).
 //
 // Same inputs, lobes and parameters as dual_scattering.h. There, energies come from a closed form with
-// one fitted constant; here the layer problem of this very fibre is solved for eight absorptions when
+// one fitted constant; here the layer problem of this very fibre is solved for nine absorptions when
 // its table is baked (optics/fiber_layer.h) and the closed form's four numbers are corrected, for each
 // inclination and absorption, so that layers of 0.5 to 16 fibres and a half space reflect and transmit
 // what the solution says. Light that is sent on keeps its way for some fibres before it is diffuse:
@@ -14,7 +14,7 @@
 //
 // Tables: azimuthal (marschner's), layer 64 x 128 = 64 KiB (all of the fibre's shape). Colour bakes
 //         nothing and may vary per fragment. A bake takes seconds: give the context a jobs callback
-//         (eight units of work) and bake away from the frame.
+//         (nine units of work) and bake away from the frame.
 // GLSL:   tsu_plane_parallel_hair_eval, tsu_plane_parallel_hair_finite_eval (with `behind`),
 //         tsu_plane_parallel_hair_sum, tsu_marschner_sigma_a; seven fetches a light.
 // Errors: in the model's error table (tsu_model_error), measured by tests/models/plane_parallel_hair.
