@@ -38,7 +38,7 @@ vec2 tsu_dual_scattering_near_far(int material, vec3 t, vec3 l, vec3 v, float fr
     float cos_r = sqrt(abs(1.0 - sin_r * sin_r));
     vec4 products =
         vec4(cos_i * cos_r + 1e-12, cos_i * sin_r, sin_i * sin_r, sin_i * cos_r);
-    float cos2_half = clamp(0.5 * ((dot(l, v) - products.z + products.x) / products.x), 0.0, 1.0);
+    float cos2_half = clamp((dot(l, v) - products.z) * (0.5 / products.x) + 0.5, 0.0, 1.0);
     float sin2_half = 1.0 - cos2_half;
 
     float x = exp2(-0.25 * front) * place.z + place.x;

@@ -49,16 +49,15 @@ vec3 tsu_dual_scattering_finite(tsu_dual_scattering_stream s, float front, float
                                 float single, float near, float far)
 {
     vec3 x = exp2(-front * s.k);
-    vec3 z = exp2(-2.0 * behind * s.k);
+    vec3 zr = exp2(-2.0 * behind * s.k) * s.r;
+    vec3 scale = x / (1.0 - (x * s.r) * (x * zr));
+#ifdef TSU_DROP_BACK
     vec3 p = s.on * s.r + s.back;
     vec3 q = s.back * s.r + s.on;
-    vec3 scale = x / (1.0 - (x * s.r) * (x * z * s.r));
-    vec3 zr = z * s.r;
-#ifdef TSU_DROP_BACK
     return max(((q - p * zr) * scale - single * s.on) * far, 0.0);
 #else
-    return max(((p - q * zr) * near + (q - p * zr) * far) * scale -
-                   single * (s.back * near + s.on * far),
-               0.0);
+    vec3 first = s.back * near + s.on * far;
+    vec3 turned = s.on * near + s.back * far;
+    return max((s.r * turned + first - zr * (s.r * first + turned)) * scale - single * first, 0.0);
 #endif
 }

@@ -43,7 +43,7 @@ tsu_marschner_lobes tsu_marschner_eval(int material, vec3 t, vec3 l, vec3 v, vec
         vec4(cos_i * cos_r + 1e-12, cos_i * sin_r, sin_i * sin_r, sin_i * cos_r);
 
     // cos(phi) = (l.v - sin_i sin_r) / (cos_i cos_r); cos^2(phi/2) = (1 + cos(phi)) / 2
-    float cos2_half = clamp(0.5 * ((dot(l, v) - products.z + products.x) / products.x), 0.0, 1.0);
+    float cos2_half = clamp((dot(l, v) - products.z) * (0.5 / products.x) + 0.5, 0.0, 1.0);
     vec4 n, path;
     tsu_marschner_azimuthal(vec3(r.w, tt.w, trt.w), size.xyz, cos_r, cos2_half, n, path);
 

@@ -15,7 +15,7 @@ struct tsu_plane_parallel_hair_lobes {
 // keeps its way for a while.
 float tsu_plane_parallel_hair_delayed(float fibres)
 {
-    return fibres + (1.8 * exp2(-0.25 * fibres) - 1.8);
+    return (fibres - 1.8) + 1.8 * exp2(-0.25 * fibres);
 }
 
 // Texture coordinates of the absorptions of three channels in the table "layer": 16 octaves of

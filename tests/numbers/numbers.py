@@ -154,7 +154,7 @@ def kajiya_kay():
 
 def static_cost():
     bounds = {'kajiya_kay': 130, 'marschner': 250, 'dual_scattering': 420,
-              'plane_parallel_hair': 422, 'leaf_body': 260, 'leaf': 330, 'leaf_coarse': 210}
+              'plane_parallel_hair': 420, 'leaf_body': 260, 'leaf': 330, 'leaf_coarse': 210}
     uniform = {'leaf_body': 220, 'leaf': 285}
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)

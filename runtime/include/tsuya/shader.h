@@ -35,8 +35,8 @@
 //                     hair it is lost light even one fibre deep.
 //   TRANSMITTED       what comes through leaves, for leaves that are lit and seen from one side:
 //                     ivy on a wall. Exact there; the coat is left out by using leaf_body.
-// Estimated clocks on navi21: marschner 250, 230 without one of the first two, 190 without both;
-// dual_scattering 416, 404, 354 and without BACK 378, without all 318; leaf_body 258 and 244.
+// Estimated clocks on navi21: marschner 248, 228 without one of the first two, 188 without both;
+// dual_scattering 414, 402, 352 and without BACK 376, without all 316; leaf_body 258 and 244.
 //
 // Techniques of self-shadow (hair_shadow.h) may be among the models: their text declares no sampler
 // and no block, the host hands its maps to their functions. Alone they need no block at all.
