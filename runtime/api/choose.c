@@ -209,11 +209,11 @@ tsu_status tsu_choose(tsu_context *context, const tsu_choose_desc *desc, tsu_cho
     struct tsu_i_decision decision;
     tsu_status status = read_desc(context, desc, &own);
     if (status != TSU_OK)
-        return tsu_i_desc_fail(out, status);
+        return tsu_i_desc_fail(out, sizeof *out, status);
     tsu_i_predict(&own, &field);
     tsu_i_decide(&own, &field, &decision);
     if (!decision.chosen)
-        return tsu_i_desc_fail(out, refuse(context, &field));
+        return tsu_i_desc_fail(out, sizeof *out, refuse(context, &field));
     const tsu_choice choice = made(&own, &field, &decision);
     return tsu_i_desc_write(out, &choice, sizeof choice);
 }
@@ -235,7 +235,7 @@ tsu_status tsu_choose_predict(tsu_context *context, const tsu_choose_desc *desc,
     if (status == TSU_OK && reject_tier(context, "tier", &own, tier))
         status = TSU_E_PARAMETER;
     if (status != TSU_OK)
-        return tsu_i_desc_fail(out, status);
+        return tsu_i_desc_fail(out, sizeof *out, status);
     tsu_i_predict(&own, &field);
     const struct tsu_i_candidate *c = of_tier(&field, tier);
     const tsu_prediction made = {.struct_size = sizeof made,
@@ -287,7 +287,7 @@ tsu_tier tsu_tier_find(const char *name)
 tsu_status tsu_tier_describe(tsu_tier tier, tsu_tier_info *out)
 {
     if (tier < 0 || (uint32_t)tier >= tsu_i_trade.tier_count)
-        return tsu_i_desc_fail(out, TSU_E_PARAMETER);
+        return tsu_i_desc_fail(out, sizeof *out, TSU_E_PARAMETER);
     const struct tsu_i_trade_tier *from = tsu_i_trade.tiers + tier;
     tsu_tier_info info = {.struct_size = sizeof info,
                           .flags = from->flags,

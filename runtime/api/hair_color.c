@@ -117,7 +117,7 @@ uint32_t tsu_hair_preset_count(void)
 tsu_status tsu_hair_preset(uint32_t index, tsu_hair_preset_info *out)
 {
     if (index >= tsu_hair_preset_count())
-        return tsu_i_desc_fail(out, TSU_E_PARAMETER);
+        return tsu_i_desc_fail(out, sizeof *out, TSU_E_PARAMETER);
     tsu_hair_preset_info info = {.struct_size = sizeof info,
                                  .name = presets[index].name,
                                  .eumelanin = presets[index].eumelanin,

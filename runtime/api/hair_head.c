@@ -104,7 +104,7 @@ tsu_status tsu_hair_head_curve_solve(tsu_context *context, const tsu_hair_head_d
     if (!curve)
         return TSU_E_PARAMETER;
     if (!context)
-        return tsu_i_desc_fail(curve, TSU_E_PARAMETER);
+        return tsu_i_desc_fail(curve, sizeof *curve, TSU_E_PARAMETER);
     tsu_hair_head_desc own;
     tsu_status status =
         tsu_i_desc_read(context, "tsu_hair_head_desc", desc, &own, sizeof own, sizeof own);
@@ -129,7 +129,7 @@ tsu_status tsu_hair_head_curve_solve(tsu_context *context, const tsu_hair_head_d
             memcpy(made.albedo, default_albedo, sizeof made.albedo);
     }
     return status == TSU_OK ? tsu_i_desc_write(curve, &made, sizeof made)
-                            : tsu_i_desc_fail(curve, status);
+                            : tsu_i_desc_fail(curve, sizeof *curve, status);
 }
 
 // Read a curve and three numbers for either direction; *out is zero until it succeeds.

@@ -110,7 +110,7 @@ tsu_status tsu_hair_shadow_make(tsu_context *context, const tsu_hair_shadow_desc
     if (!out)
         return TSU_E_PARAMETER;
     if (!context)
-        return tsu_i_desc_fail(out, TSU_E_PARAMETER);
+        return tsu_i_desc_fail(out, sizeof *out, TSU_E_PARAMETER);
     tsu_hair_shadow_desc own;
     struct tsu_i_shadow_params params;
     tsu_status status = tsu_i_desc_read(context, "tsu_hair_shadow_desc", desc, &own, sizeof own,
@@ -120,7 +120,7 @@ tsu_status tsu_hair_shadow_make(tsu_context *context, const tsu_hair_shadow_desc
     if (status == TSU_OK)
         status = read_params(context, &own, &params);
     if (status != TSU_OK)
-        return tsu_i_desc_fail(out, status);
+        return tsu_i_desc_fail(out, sizeof *out, status);
     tsu_hair_shadow_plan plan = {.struct_size = sizeof plan};
     tsu_i_shadow_plan(&own, &params, &plan);
     status = tsu_i_desc_write(out, &plan, sizeof plan);
@@ -135,7 +135,7 @@ tsu_status tsu_hair_shadow_target(const tsu_hair_shadow_plan *plan, uint32_t ind
                                   tsu_hair_shadow_target_info *out)
 {
     if (!plan || index >= plan->target_count)
-        return tsu_i_desc_fail(out, TSU_E_PARAMETER);
+        return tsu_i_desc_fail(out, sizeof *out, TSU_E_PARAMETER);
     static const char *const names[3] = {"front", "layers", "deeper"};
     const uint32_t which = index + (tsu_i_shadow_from_front(plan) ? 0u : 1u);
     const tsu_hair_shadow_target_info info = {
@@ -150,7 +150,7 @@ tsu_status tsu_hair_shadow_pass(const tsu_hair_shadow_plan *plan, uint32_t index
                                 tsu_hair_shadow_pass_info *out)
 {
     if (!plan || index >= plan->pass_count)
-        return tsu_i_desc_fail(out, TSU_E_PARAMETER);
+        return tsu_i_desc_fail(out, sizeof *out, TSU_E_PARAMETER);
     const int from_front = tsu_i_shadow_from_front(plan);
     const uint32_t all = (1u << plan->target_count) - 1u;
     tsu_hair_shadow_pass_info info = {.struct_size = sizeof info, .name = "front", .targets = 1,

@@ -53,7 +53,7 @@ const char *tsu_leaf_preset_name(uint32_t index)
 tsu_status tsu_leaf_preset(uint32_t index, tsu_leaf_pigments *out)
 {
     if (index >= tsu_leaf_preset_count())
-        return tsu_i_desc_fail(out, TSU_E_PARAMETER);
+        return tsu_i_desc_fail(out, sizeof *out, TSU_E_PARAMETER);
     tsu_leaf_pigments own;
     fill(tsu_i_leaf_presets + index, &own);
     return tsu_i_desc_write(out, &own, sizeof own);
@@ -294,7 +294,7 @@ tsu_status tsu_leaf_from_reflectance(tsu_context *context, const tsu_model *mode
     if (status == TSU_OK)
         status = solve(context, &work);
     if (status != TSU_OK)
-        return report ? tsu_i_desc_fail(report, status) : status;
+        return report ? tsu_i_desc_fail(report, sizeof *report, status) : status;
     report_of(&work, &made);
     for (int k = 0; k < 3; k++) {
         made.residual[k] = work.found[k].residual;
@@ -337,7 +337,7 @@ tsu_status tsu_leaf_from_pigments(tsu_context *context, const tsu_model *model,
         status = solve(context, &work);
     }
     if (status != TSU_OK)
-        return report ? tsu_i_desc_fail(report, status) : status;
+        return report ? tsu_i_desc_fail(report, sizeof *report, status) : status;
     report_of(&work, &made);
     for (int k = 0; k < 3; k++) {
         const struct tsu_i_leaf_faces *asked = &work.asked[k].faces, *done = &work.found[k].faces;
@@ -376,7 +376,7 @@ tsu_status tsu_leaf_measure(tsu_context *context, const tsu_model *model, const 
         status = solve(context, &work);
     }
     if (status != TSU_OK)
-        return tsu_i_desc_fail(report, status);
+        return tsu_i_desc_fail(report, sizeof *report, status);
     report_of(&work, &made);
     return tsu_i_desc_write(report, &made, sizeof made);
 }

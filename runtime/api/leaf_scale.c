@@ -247,7 +247,7 @@ tsu_status tsu_leaf_scale_solve(tsu_context *context, const tsu_leaf_scale_desc 
     if (!scale)
         return TSU_E_PARAMETER;
     if (!context)
-        return tsu_i_desc_fail(scale, TSU_E_PARAMETER);
+        return tsu_i_desc_fail(scale, sizeof *scale, TSU_E_PARAMETER);
     tsu_leaf_scale_desc own;
     tsu_leaf_scale made = {.struct_size = sizeof made};
     tsu_status status =
@@ -257,7 +257,7 @@ tsu_status tsu_leaf_scale_solve(tsu_context *context, const tsu_leaf_scale_desc 
     if (status == TSU_OK)
         status = solve(context, &own, &made);
     if (status != TSU_OK && status != TSU_E_LIMIT)
-        return tsu_i_desc_fail(scale, status);
+        return tsu_i_desc_fail(scale, sizeof *scale, status);
     const tsu_status written = tsu_i_desc_write(scale, &made, sizeof made);
     return written == TSU_OK ? status : written;
 }
@@ -344,20 +344,20 @@ tsu_status tsu_leaf_scale_judge(tsu_context *context, const tsu_leaf_scale *scal
     if (!verdict)
         return TSU_E_PARAMETER;
     if (!context)
-        return tsu_i_desc_fail(verdict, TSU_E_PARAMETER);
+        return tsu_i_desc_fail(verdict, sizeof *verdict, TSU_E_PARAMETER);
     tsu_leaf_scale own;
     const tsu_status status =
         tsu_i_desc_read(context, "tsu_leaf_scale", scale, &own, sizeof own, sizeof own);
     if (status != TSU_OK)
-        return tsu_i_desc_fail(verdict, status);
+        return tsu_i_desc_fail(verdict, sizeof *verdict, status);
     if (reject(context, "pixel_mm", pixel_mm, 1e-6, 1e6) ||
         reject(context, "curvature_mm", curvature_mm, 1e-3, 1e9) ||
         reject(context, "tolerance", tolerance, 1e-3, 0.5))
-        return tsu_i_desc_fail(verdict, TSU_E_PARAMETER);
+        return tsu_i_desc_fail(verdict, sizeof *verdict, TSU_E_PARAMETER);
     if (!solved(&own)) {
         tsu_i_log(context, TSU_LOG_ERROR, TSU_LOG_LEAF,
                   "tsu_leaf_scale is not one that tsu_leaf_scale_solve() filled");
-        return tsu_i_desc_fail(verdict, TSU_E_PARAMETER);
+        return tsu_i_desc_fail(verdict, sizeof *verdict, TSU_E_PARAMETER);
     }
     tsu_leaf_verdict made = {.struct_size = sizeof made};
     judge(&own, pixel_mm, curvature_mm, tolerance, &made);

@@ -150,7 +150,7 @@ tsu_status tsu_environment_make(tsu_context *context, const tsu_environment_desc
     if (!out)
         return TSU_E_PARAMETER;
     if (!context)
-        return tsu_i_desc_fail(out, TSU_E_PARAMETER);
+        return tsu_i_desc_fail(out, sizeof *out, TSU_E_PARAMETER);
     tsu_environment_desc own;
     double angle = 0.0;
     tsu_status status =
@@ -159,7 +159,7 @@ tsu_status tsu_environment_make(tsu_context *context, const tsu_environment_desc
         (reject_environment(context, &own) || reject_samples(context, &own, &angle)))
         status = TSU_E_PARAMETER;
     if (status != TSU_OK)
-        return tsu_i_desc_fail(out, status);
+        return tsu_i_desc_fail(out, sizeof *out, status);
     tsu_environment result = {.struct_size = sizeof result};
     tsu_i_environment_make(&own, angle, &result);
     return tsu_i_desc_write(out, &result, sizeof result);

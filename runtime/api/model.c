@@ -12,12 +12,12 @@ tsu_status tsu_info_init_sized(void *info, size_t size)
 tsu_status tsu_model_describe(const tsu_model *model, tsu_model_info *out)
 {
     return model ? tsu_i_desc_write(out, &model->info, sizeof model->info)
-                 : tsu_i_desc_fail(out, TSU_E_PARAMETER);
+                 : tsu_i_desc_fail(out, sizeof *out, TSU_E_PARAMETER);
 }
 
 #define DESCRIBE(model, index, count, entry, out)                                                  \
     ((model) && (index) < (count) ? tsu_i_desc_write(out, entry, sizeof *(entry))                  \
-                                  : tsu_i_desc_fail(out, TSU_E_PARAMETER))
+                                  : tsu_i_desc_fail(out, sizeof *out, TSU_E_PARAMETER))
 
 tsu_status tsu_model_parameter(const tsu_model *model, uint32_t index, tsu_parameter_info *out)
 {
@@ -53,7 +53,7 @@ tsu_status tsu_function_input(const tsu_model *model, uint32_t function, uint32_
                               tsu_value_info *out)
 {
     if (!model || function >= model->info.function_count)
-        return tsu_i_desc_fail(out, TSU_E_PARAMETER);
+        return tsu_i_desc_fail(out, sizeof *out, TSU_E_PARAMETER);
     const struct tsu_i_function *f = model->functions + function;
     return DESCRIBE(model, index, f->info.input_count, f->inputs + index, out);
 }
@@ -62,7 +62,7 @@ tsu_status tsu_function_output(const tsu_model *model, uint32_t function, uint32
                                tsu_value_info *out)
 {
     if (!model || function >= model->info.function_count)
-        return tsu_i_desc_fail(out, TSU_E_PARAMETER);
+        return tsu_i_desc_fail(out, sizeof *out, TSU_E_PARAMETER);
     const struct tsu_i_function *f = model->functions + function;
     return DESCRIBE(model, index, f->info.output_count, f->outputs + index, out);
 }

@@ -63,12 +63,13 @@ tsu_status tsu_i_desc_init(void *host, size_t host_size, const void *defaults, s
     return TSU_OK;
 }
 
-tsu_status tsu_i_desc_fail(void *host, tsu_status status)
+tsu_status tsu_i_desc_fail(void *host, size_t own_size, tsu_status status)
 {
     uint32_t size = 0;
     if (host)
         memcpy(&size, host, sizeof size);
+    // A size that no init() wrote may be anything: never past what the host must own.
     if (size > sizeof size)
-        memset((char *)host + sizeof size, 0, size - sizeof size);
+        memset((char *)host + sizeof size, 0, smaller(size, own_size) - sizeof size);
     return status;
 }

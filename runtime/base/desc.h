@@ -13,8 +13,8 @@ tsu_status tsu_i_desc_read(const tsu_context *context, const char *name, const v
 // Copy a result of ours into a host struct that carries its size; the host's size is kept.
 tsu_status tsu_i_desc_write(void *host, const void *own, size_t own_size);
 
-// Zero a result that carries its size; `status` is handed through.
-tsu_status tsu_i_desc_fail(void *host, tsu_status status);
+// Zero a result that carries its size, at most our layout of it; `status` is handed through.
+tsu_status tsu_i_desc_fail(void *host, size_t own_size, tsu_status status);
 
 // Start a host struct: zero, the defaults that fit, and its size.
 tsu_status tsu_i_desc_init(void *host, size_t host_size, const void *defaults, size_t own_size,

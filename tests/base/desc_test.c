@@ -117,6 +117,26 @@ static void writing_respects_the_hosts_size(void **state)
     assert_true(tsu_i_desc_write(NULL, &own, sizeof own) < 0);
 }
 
+static void failing_zeroes_no_more_than_ours(void **state)
+{
+    (void)state;
+    static const uint32_t sizes[] = {0, 3, 4, 8, 24, sizeof(struct ours), 0x5a5a5a5a, UINT32_MAX};
+    unsigned char bytes[2 * sizeof(struct ours)], expected[sizeof bytes];
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        const uint32_t size = sizes[i];
+        const size_t end = size < sizeof(struct ours) ? size : sizeof(struct ours);
+        memset(bytes, 0xcc, sizeof bytes);
+        memcpy(bytes, &size, sizeof size);
+        memcpy(expected, bytes, sizeof bytes);
+        if (end > sizeof size)
+            memset(expected + sizeof size, 0, end - sizeof size);
+        assert_int_equal(tsu_i_desc_fail(bytes, sizeof(struct ours), TSU_E_PARAMETER),
+                         TSU_E_PARAMETER);
+        assert_memory_equal(bytes, expected, sizeof bytes);
+    }
+    assert_int_equal(tsu_i_desc_fail(NULL, 24, TSU_E_PARAMETER), TSU_E_PARAMETER);
+}
+
 static void beginning_fills_what_fits(void **state)
 {
     (void)state;
@@ -151,6 +171,7 @@ int main(void)
         cmocka_unit_test(larger_with_a_request_is_refused),
         cmocka_unit_test(too_small_is_refused),
         cmocka_unit_test(writing_respects_the_hosts_size),
+        cmocka_unit_test(failing_zeroes_no_more_than_ours),
         cmocka_unit_test(beginning_fills_what_fits),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
