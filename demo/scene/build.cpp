@@ -148,6 +148,20 @@ void put(Material &material, const tsu_parameter_info &p, const glm::dvec3 &valu
     }
 }
 
+// Does a model ask for the hair in the light's way?
+bool asks_for_hair(const tsu_model *model, const tsu_model_info &info)
+{
+    for (uint32_t i = 0; i < info.input_count; i++) {
+        tsu_input_info input;
+        tsu_input_info_init(&input);
+        tsu_model_input(model, i, &input);
+        if (!std::strcmp(input.name, "front")) {
+            return true;
+        }
+    }
+    return false;
+}
+
 } // namespace
 
 Expected<Hair> hair(const Scene &scene)
@@ -190,6 +204,13 @@ Expected<Material> material(const Scene &scene)
     tsu_model_info info;
     tsu_model_info_init(&info);
     tsu_model_describe(result.model, &info);
+    if (scene.shadow == "none" && asks_for_hair(result.model, info)) {
+        result.note = "without shadow " + scene.model +
+                      " cannot tell what other hair sends; drawn by marschner, its single fibre";
+        result.model = tsu_model_find("marschner");
+        result.variant.clear();
+        tsu_model_describe(result.model, &info);
+    }
     result.params.resize(info.params_size / sizeof(std::max_align_t) + 1);
     tsu_model_params_init(result.model, result.params.data(), info.params_size);
 

@@ -32,8 +32,10 @@ struct Material {
     std::vector<std::max_align_t> params; // the model's struct
     glm::dvec3 sigma_a{0.0};              // of the scene's colour, per fibre radius
     glm::dvec3 albedo{1.0};               // of one fibre of that colour
+    std::string note;                     // for the user; empty: the scene's model is taken
 };
 
+// Without shadow a model that asks for the hair in the light's way falls back to marschner.
 // Errors: a parameter out of the model's range; an albedo, of fibre or head, that no pigment
 // gives.
 Expected<Material> material(const Scene &scene);

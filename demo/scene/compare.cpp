@@ -218,6 +218,9 @@ Expected<std::vector<draw::Picture>> drawn(const Task &task, Studio &studio, con
         if (!good) {
             return Error{good.error()};
         }
+        if (!material->note.empty()) {
+            std::fprintf(stderr, "tsuya compare: %s.\n", material->note.c_str());
+        }
         if (!renderer.note().empty()) {
             std::fprintf(stderr, "tsuya compare: %s.\n", renderer.note().c_str());
         }

@@ -120,6 +120,9 @@ int render(const scene::Scene &scene, const std::string &path, int frames, std::
     if (!material) {
         return complain(material.error());
     }
+    if (!material->note.empty()) {
+        std::fprintf(stderr, "tsuya render: %s.\n", material->note.c_str());
+    }
     const groom::Expected<scene::Surroundings> around = scene::surroundings(scene);
     if (!around) {
         return complain(around.error());

@@ -135,6 +135,9 @@ class Session
             panel_.message = material.error();
             return true;
         }
+        if (!material->note.empty()) {
+            panel_.message = material->note;
+        }
         const groom::Expected<bool> set = renderer_.material(material->model,
                                                              material->params.data(),
                                                              material->variant);

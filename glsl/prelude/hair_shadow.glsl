@@ -14,10 +14,12 @@ struct tsu_hair_shadow {
     float transmittance; // mean of exp(-opacity front), for models without multiple scattering
 };
 
-// No shadow at all.
+// No shadow is known: all direct light arrives. What other hair sends cannot be told without it, so
+// models with multiple scattering fall back to their single fibre: to them no diffuse light is left
+// of what came past so much hair. (dual_scattering's variant zinke keeps its local back scattering.)
 tsu_hair_shadow tsu_hair_shadow_none()
 {
-    return tsu_hair_shadow(0.0, TSU_HAIR_SHADOW_UNKNOWN, 1.0, 1.0);
+    return tsu_hair_shadow(TSU_HAIR_SHADOW_UNKNOWN, 0.0, 1.0, 1.0);
 }
 
 // From counts of the host's own: a voxel grid, traced rays, data baked into vertices.

@@ -26,4 +26,14 @@ for groom in 'straight', 'curly':
         good = not held or abs(value - 1) <= 0.03
         failed += not good
         print(f'{groom:9}{name:16}{value:.4f}', '' if good else 'is not 1 +- 0.03')
+# Without shadow nothing is known of other hair: the single fibre, one word about it, no energy made.
+for name, words in MODELS.items():
+    with tempfile.NamedTemporaryFile(suffix='.exr') as picture:
+        done = subprocess.run([tsuya, 'render', *SCENE, 'groom=straight', 'shadow=none', *words, '-o',
+                               picture.name], capture_output=True, text=True, check=True)
+    value = float(re.search(r'hair luminance\s+([0-9.]+)', done.stdout).group(1))
+    told = done.stderr.count('drawn by marschner')
+    good = 0.9 <= value <= 1.01 and told == (name != 'fibre alone')
+    failed += not good
+    print(f'no shadow {name:16}{value:.4f}', '' if good else f'is not 0.9 to 1.01, or told {told} times')
 sys.exit(failed > 0)

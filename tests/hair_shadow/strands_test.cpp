@@ -184,7 +184,7 @@ void constructors(void **)
     const struct {
         int how;
         float front, behind, expected[4];
-    } cases[] = {{0, 0, 0, {0, unknown, 1, 1}},       {1, 2, 3, {2, 3, e, e}},
+    } cases[] = {{0, 0, 0, {unknown, 0, 1, 1}},       {1, 2, 3, {2, 3, e, e}},
                  {1, 0, 0, {0, 0, 1, 1}},             {1, -1, -2, {0, 0, 1, 1}},
                  {1, NAN, NAN, {0, 0, 1, 1}},         {1, inf, inf, {unknown, unknown, 0, 0}},
                  {2, e, 0, {2, unknown, e, e}},       {2, 1, 0, {0, unknown, 1, 1}},

@@ -26,7 +26,8 @@
 //   tsu_opacity_shadow_read8(layers, deeper, record, position)       up to 8 layers,  8 fetches
 //   tsu_hair_shadow_count(front, behind)   counts of the host's own: voxels, rays, vertex data
 //   tsu_hair_shadow_transmittance(t)       a transmittance of the host's own
-//   tsu_hair_shadow_none()                 no shadow
+//   tsu_hair_shadow_none()                 none is known: models with multiple scattering fall back
+//                                          to their single fibre, lit in full
 //
 // Cost beside the fetches (clocks of navi21 as in tests/bench, all four results): 430 and 320 for
 // deep opacity with 8 and 4 layers, 350 and 260 for opacity shadow; a result that is not used is
