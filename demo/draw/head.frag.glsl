@@ -14,8 +14,13 @@ void main()
     for (int k = u_groups_begin; k < u_groups_end; k++) {
         vec4 count = fibres(place, k);
         for (int i = 0; i < 4; i++) {
-            float facing = max(dot(n, u_light_direction[4 * k + i]), 0.0);
-            sum += u_light_color[4 * k + i] * exp(-u_loss * count[i]) * facing;
+            vec3 irradiance = vec3(0.0);
+            for (int j = 0; j < light_samples(4 * k + i); j++) {
+                vec3 l;
+                vec3 color = light_sample(4 * k + i, j, v_position, l);
+                irradiance += color * max(dot(n, l), 0.0);
+            }
+            sum += exp(-u_loss * count[i]) * irradiance;
         }
     }
     o_color = vec4(sum * u_albedo / 3.14159265, 0.0);

@@ -4,13 +4,14 @@
 in vec3 v_position;
 uniform vec4 u_record[12];
 uniform highp sampler2D u_map_front;
-uniform vec3 u_to_light;
+uniform vec4 u_light; // towards it, or with w = 1 its place
 layout(location = 0) out vec4 o_layers;
 layout(location = 1) out vec4 o_deeper;
 
 void main()
 {
-    float cover = coverage() * (1.0 - blocked(v_position, u_to_light));
+    vec3 l = normalize(u_light.xyz - u_light.w * v_position);
+    float cover = coverage() * (1.0 - blocked(v_position, l));
     if (cover <= 0.0) {
         discard;
     }

@@ -18,8 +18,14 @@ struct Light {
     glm::vec3 direction;  // towards the light, unit, world
     glm::vec3 irradiance; // on a plane that faces the light, linear
     // tsu_light_pack() of a light with a place or a size, whose direction and irradiance above are
-    // those at the origin: for the head and for the one look at the shadow. 0: there is no more.
+    // those in the middle of what is lit: for the grid's shadow. 0: there is no more.
     std::array<float, 16> record{};
+
+    // Is it somewhere, record[0] to [2]?
+    bool placed() const
+    {
+        return record[3] > 0.5f && record[3] < 3.5f;
+    }
 };
 
 // Where from, in which light and how finely a picture is drawn. Lengths in metres, colours linear

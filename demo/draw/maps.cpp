@@ -17,7 +17,7 @@ bool MapsAsked::operator==(const MapsAsked &other) const
     return technique == other.technique && layers == other.layers && size == other.size &&
            opacity == other.opacity && format == other.format && width_scale == other.width_scale &&
            taper == other.taper && model == other.model && to_solid == other.to_solid &&
-           neck == other.neck && neck_span == other.neck_span && directions == other.directions;
+           neck == other.neck && neck_span == other.neck_span && lights == other.lights;
 }
 
 Maps::~Maps()
@@ -74,11 +74,11 @@ bool Maps::plan(tsu_context *context, const MapsAsked &asked)
     const glm::vec3 centre = glm::vec3(asked.model * glm::vec4(centre_, 1.0f));
     GLint most = 0;
     gl_->GetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
-    columns_ = int(std::ceil(std::sqrt(double(asked.directions.size()))));
+    columns_ = int(std::ceil(std::sqrt(double(asked.lights.size()))));
     const bool half = asked.format ? asked.format == TSU_FORMAT_RGBA16F : gl_->es != 0;
-    desc.flags = 0;
+    uint32_t blends = 0;
     if (asked.format != TSU_FORMAT_RGBA8) {
-        desc.flags = half ? TSU_HAIR_SHADOW_BLEND_16F : TSU_HAIR_SHADOW_BLEND_32F;
+        blends = half ? TSU_HAIR_SHADOW_BLEND_16F : TSU_HAIR_SHADOW_BLEND_32F;
     }
     desc.model = asked.technique;
     desc.params = &params;
@@ -87,24 +87,33 @@ bool Maps::plan(tsu_context *context, const MapsAsked &asked)
     desc.width = diameter_ * scale * asked.width_scale;
     desc.size = uint32_t(asked.size);
     desc.most_size = std::min(desc.most_size, uint32_t(most / columns_));
-    plans_.clear();
-    for (std::size_t i = 0; i < asked.directions.size(); i++) {
-        tsu_hair_shadow_plan plan;
-        tsu_hair_shadow_plan_init(&plan);
-        for (int k = 0; k < 3; k++) {
-            desc.centre[k] = centre[k];
-            desc.light[k] = asked.directions[i][k];
+    // Twice for more than one: a tile is as large as the largest map, which depends on the lights.
+    tile_ = 0;
+    for (int pass = 0; pass < std::min(columns_, 2); pass++) {
+        plans_.clear();
+        for (std::size_t i = 0; i < asked.lights.size(); i++) {
+            tsu_hair_shadow_plan plan;
+            tsu_hair_shadow_plan_init(&plan);
+            for (int k = 0; k < 3; k++) {
+                desc.centre[k] = centre[k];
+                desc.light[k] = asked.lights[i][k];
+            }
+            desc.flags = blends;
+            if (asked.lights[i].w > 0.0f) {
+                desc.flags |= TSU_HAIR_SHADOW_POINT;
+            }
+            desc.tile_x = uint32_t(i % std::size_t(columns_)) * tile_;
+            desc.tile_y = uint32_t(i / std::size_t(columns_)) * tile_;
+            const tsu_status status = tsu_hair_shadow_make(context, &desc, &plan);
+            if (status != TSU_OK) {
+                why_ = std::string("no plan: ") + tsu_status_text(status);
+                return false;
+            }
+            plans_.push_back(plan);
         }
-        if (i > 0) {
-            desc.tile_x = uint32_t(i % std::size_t(columns_)) * plans_[0].size;
-            desc.tile_y = uint32_t(i / std::size_t(columns_)) * plans_[0].size;
+        for (const tsu_hair_shadow_plan &plan : plans_) {
+            tile_ = std::max(tile_, plan.size);
         }
-        const tsu_status status = tsu_hair_shadow_make(context, &desc, &plan);
-        if (status != TSU_OK) {
-            why_ = std::string("no plan: ") + tsu_status_text(status);
-            return false;
-        }
-        plans_.push_back(plan);
     }
     return true;
 }
@@ -177,9 +186,12 @@ void Maps::pass(const Program &program, const MapsAsked &asked, const Strands &s
         // A ribbon that reaches past its tile belongs to no other light.
         gl_->Scissor(GLint(plan.record[36]), GLint(plan.record[37]), size, size);
         program.set("u_half_size", 0.5f * float(size), 0.5f * float(size));
-        program.set("u_pixel_scale", glm::length(glm::vec3(asked.model[0])) / plan.texel);
-        program.set("u_view_projection", glm::make_mat4(plan.to_light));
-        program.set("u_to_light", asked.directions[i]);
+        const glm::mat4 to_light = glm::make_mat4(plan.to_light);
+        const glm::vec3 across(to_light[0].x, to_light[1].x, to_light[2].x);
+        program.set("u_pixel_scale", glm::length(glm::vec3(asked.model[0])) * glm::length(across) *
+                                         0.5f * float(size));
+        program.set("u_view_projection", to_light);
+        program.set("u_light", asked.lights[i]);
         gl_->Uniform4fv(gl_->GetUniformLocation(program.id(), "u_record"),
                         TSU_HAIR_SHADOW_RECORD_VEC4, plan.record);
         strands.draw();
@@ -197,8 +209,7 @@ bool Maps::draw(tsu_context *context, const MapsAsked &asked, const Program &fro
         return false;
     }
     const int rows = (int(plans_.size()) + columns_ - 1) / columns_;
-    const int size = int(plans_[0].size);
-    if (!targets(columns_ * size, rows * size, plans_[0].color)) {
+    if (!targets(columns_ * int(tile_), rows * int(tile_), plans_[0].color)) {
         plans_.clear();
         return false;
     }

@@ -15,7 +15,9 @@
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -36,7 +38,8 @@ struct MapsAsked {
     glm::mat4 to_solid{0.0f}; // world to where the head is the unit sphere; 0: no head
     glm::vec4 neck{0.0f};     // draw/solid.glsl
     glm::vec2 neck_span{0.0f};
-    std::vector<glm::vec3> directions; // towards the lights, world; at most maps_most
+    // At most maps_most, world: directions towards them, or with w = 1 their places.
+    std::vector<glm::vec4> lights;
 
     bool operator==(const MapsAsked &other) const;
 };
@@ -85,6 +88,7 @@ class Maps
     int width_ = 0, height_ = 0;
     tsu_format format_ = 0;
     int columns_ = 1;
+    std::uint32_t tile_ = 0; // texels along the side of a tile
     glm::vec3 centre_{0.0f};
     float radius_ = 1.0f, length_ = 0.0f, diameter_ = 0.0f;
     MapsAsked drawn_;

@@ -51,7 +51,8 @@ Expected<bool> Renderer::build()
 {
     const auto text = [&](const char *name) { return source(shading_->folders().demo, name); };
     Expected<Program> head = link(gl_, {text("head.vert.glsl")},
-                                  {text("light.glsl"), text("head.frag.glsl")});
+                                  {text("light.glsl"), text("area_light.glsl"),
+                                   text("head.frag.glsl")});
     Expected<Program> identity = link(gl_, {text("strand.vert.glsl")},
                                       {text("coverage.glsl"), text("identity.frag.glsl")});
     for (const Expected<Program> *program : {&head, &identity}) {

@@ -116,11 +116,13 @@ void Renderer::map_shadows(const Frame &frame)
     asked.neck = neck(frame);
     asked.neck_span = neck_span(frame);
     for (const Light &light : frame.lights) {
-        if (int(asked.directions.size()) < maps_most) {
-            asked.directions.push_back(light.direction);
+        if (int(asked.lights.size()) < maps_most) {
+            asked.lights.push_back(light.placed() ? glm::vec4(light.record[0], light.record[1],
+                                                              light.record[2], 1.0f)
+                                                  : glm::vec4(light.direction, 0.0f));
         }
     }
-    if (asked.directions.empty()) {
+    if (asked.lights.empty()) {
         return;
     }
     const Expected<const Shading::MapPrograms *> programs = shading_->maps(asked.technique);
@@ -132,7 +134,7 @@ void Renderer::map_shadows(const Frame &frame)
         maps_->draw(shading_->context(), asked, (*programs)->front, (*programs)->layers, *strands_);
     if (!mapped_) {
         note_ = "shadow from the grid: " + maps_->why();
-    } else if (frame.lights.size() > asked.directions.size()) {
+    } else if (frame.lights.size() > asked.lights.size()) {
         note_ = "lights past the first " + std::to_string(maps_most) + " have the grid's shadow";
     }
 }
@@ -151,7 +153,7 @@ void Renderer::lights(const Program &program, const Frame &frame, Which which) c
     program.set("u_light_color", colors);
     std::vector<float> records;
     const std::size_t areas = std::min(frame.lights.size(), std::size_t(areas_most));
-    for (std::size_t i = 0; i < areas && which == Which::lights; i++) {
+    for (std::size_t i = 0; i < areas && which != Which::sky; i++) {
         const std::array<float, 16> &record = frame.lights[i].record;
         records.insert(records.end(), record.begin(), record.end());
     }

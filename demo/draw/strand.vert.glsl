@@ -3,7 +3,8 @@
 // Vertex 4 k + 2 end + side of the segment from point k to k + 1. A vertex is moved sideways by the
 // fibre's true half width plus the reach of a pixel's square, so that the fragment shader meets
 // every pixel that the fibre touches. Everything is given in pixels with w = 1, so that varyings
-// are linear on the screen; segments nearer than the near plane never come here.
+// are linear on the screen; segments nearer than the near plane never come here, those behind a
+// light are left out.
 //
 // Thin segments end each by itself, moved outwards as well: the shares of a pixel that neighbours
 // cover add up to the whole, so a strand keeps its energy around every bend, however small on the
@@ -113,5 +114,6 @@ void main()
     v_screen = dir;
     v_strand = strand.zw;
     v_sky = texelFetch(u_sky, texel(point), 0).rgb;
-    gl_Position = vec4(at / u_half_size, clip.z / clip.w, 1.0);
+    gl_Position = min(clip.w, far_clip.w) > 1e-6 ? vec4(at / u_half_size, clip.z / clip.w, 1.0)
+                                                 : vec4(2.0, 2.0, 2.0, 1.0);
 }

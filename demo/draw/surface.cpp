@@ -45,9 +45,11 @@ Expected<bool> SurfaceRenderer::build()
     Expected<Program> depth = link(gl_, {text("surface.vert.glsl")}, {text("depth.frag.glsl")});
     Expected<Program> second = link(gl_, {text("surface.vert.glsl")}, {text("second.frag.glsl")});
     Expected<Program> ground = link(gl_, {text("ground.vert.glsl")},
-                                    {text("surface_light.glsl"), text("ground.frag.glsl")});
+                                    {text("surface_light.glsl"), text("area_light.glsl"),
+                                     text("ground.frag.glsl")});
     Expected<Program> wood = link(gl_, {text("surface.vert.glsl")},
-                                  {text("surface_light.glsl"), text("wood.frag.glsl")});
+                                  {text("surface_light.glsl"), text("area_light.glsl"),
+                                   text("wood.frag.glsl")});
     for (const Expected<Program> *program : {&depth, &second, &wood, &ground}) {
         if (!*program) {
             return Error{program->error()};
@@ -126,7 +128,8 @@ Expected<bool> SurfaceRenderer::build(const tsu_model *model, Program &leaf, Pro
     const auto text = [&](const char *name) { return source(guest_->folders().demo, name); };
     Expected<Program> first = link(gl_, {text("surface.vert.glsl")},
                                    {*library, macros, text("surface_shade.glsl"),
-                                    text("surface_light.glsl"), text("leaf.frag.glsl")});
+                                    text("surface_light.glsl"), text("area_light.glsl"),
+                                    text("leaf.frag.glsl")});
     if (!first) {
         return Error{first.error()};
     }

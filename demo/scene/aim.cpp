@@ -106,7 +106,7 @@ void aim_at(const Scene &scene, const Points &shown, bool turntable, draw::View 
 
 } // namespace
 
-std::vector<draw::Light> lights(const Scene &scene)
+std::vector<draw::Light> lights(const Scene &scene, const glm::dvec3 &middle)
 {
     std::vector<draw::Light> result;
     for (const RigLight &light : rigs) {
@@ -116,9 +116,15 @@ std::vector<draw::Light> lights(const Scene &scene)
         }
     }
     for (const auto &own : scene.lights) {
-        result.push_back(own_light(own.second));
+        result.push_back(own_light(own.second, middle));
     }
     return result;
+}
+
+glm::dvec3 middle(const std::vector<glm::vec3> &points)
+{
+    const Box box = bounds({&points});
+    return 0.5 * (box.lower + box.upper);
 }
 
 std::vector<draw::Light> sky(const Scene &scene)

@@ -286,7 +286,7 @@ draw::Frame frame(const Scene &scene, const Hair &hair, const Material &material
     frame.width = scene.width;
     frame.height = scene.height;
     frame.supersample = scene.supersample;
-    frame.lights = lights(scene);
+    frame.lights = lights(scene, middle(hair.groom.points));
     frame.sky = sky(scene);
     if (around.there) {
         surround(around, scene, frame);

@@ -50,7 +50,11 @@ Expected<Material> material(const Scene &scene);
 // each sends it another way: Marschner's fibre sends most of it on, away from the light. In the
 // default rig the rim returns what the key loses and the dome, in which models of equal albedo are
 // equal, carries most of the light, so that the mean of the hair stays when the model changes.
-std::vector<draw::Light> lights(const Scene &scene);
+//
+//   middle  of what they light
+std::vector<draw::Light> lights(const Scene &scene, const glm::dvec3 &middle);
+// Of the box around points; one at least.
+glm::dvec3 middle(const std::vector<glm::vec3> &points);
 // The scene's dome as lights; none when it is dark.
 std::vector<draw::Light> sky(const Scene &scene);
 

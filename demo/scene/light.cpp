@@ -60,7 +60,7 @@ void sample(void *user, uint32_t index, float d[3], float l[3], float *angle)
 
 } // namespace
 
-draw::Light own_light(const SceneLight &light)
+draw::Light own_light(const SceneLight &light, const glm::dvec3 &middle)
 {
     tsu_light_desc desc;
     tsu_light_desc_init(&desc);
@@ -76,10 +76,9 @@ draw::Light own_light(const SceneLight &light)
                                         : TSU_LIGHT_DIRECTIONAL;
     draw::Light result{glm::vec3(glm::normalize(light.direction)), glm::vec3(color)};
     if (desc.kind != TSU_LIGHT_DIRECTIONAL) {
-        // From the origin, for the grid, the maps and the head.
-        const double far = std::max(glm::length(light.position), 1e-3);
-        const glm::dvec3 way = glm::length(light.position) > 1e-3 ? light.position / far
-                                                                  : glm::dvec3(0.0, 1.0, 0.0);
+        const glm::dvec3 to = light.position - middle;
+        const double far = std::max(glm::length(to), 1e-3);
+        const glm::dvec3 way = glm::length(to) > 1e-3 ? to / far : glm::dvec3(0.0, 1.0, 0.0);
         const glm::dvec3 n = glm::length(light.facing) > 0.0 ? glm::normalize(light.facing) : -way;
         const glm::dvec3 x = across(n) * 0.5 * light.width;
         const bool disk = desc.kind == TSU_LIGHT_DISK;
@@ -91,8 +90,10 @@ draw::Light own_light(const SceneLight &light)
         const double area = (disk ? pi : 4.0) * glm::length(x) * glm::length(y) *
                             (light.sides == 2 ? std::abs(facing) : std::max(facing, 0.0));
         result.direction = glm::vec3(way);
+        // Right in front of a disk's middle; elsewhere, and of a rectangle, not more than it gives.
         result.irradiance =
-            glm::vec3(color * (desc.kind == TSU_LIGHT_POINT ? 1.0 : area) / (far * far));
+            glm::vec3(desc.kind == TSU_LIGHT_POINT ? color / (far * far)
+                                                   : color * area / (far * far + area / pi));
     }
     Library library;
     float record[16];
@@ -135,7 +136,7 @@ Expected<Surroundings> surroundings(const Scene &scene)
             light.direction[k] = double(environment.light_direction[k]);
             light.color[k] = double(irradiance[k]);
         }
-        result.dominant.push_back(own_light(light));
+        result.dominant.push_back(own_light(light, glm::dvec3(0.0)));
     }
     return Expected<Surroundings>(std::move(result));
 }

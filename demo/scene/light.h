@@ -10,8 +10,9 @@
 
 namespace tsuya::scene {
 
-// One lightN as the renderer takes it.
-draw::Light own_light(const SceneLight &light);
+// One lightN as the renderer takes it. `middle` of what it lights: where the direction and the
+// irradiance of a light with a place are taken.
+draw::Light own_light(const SceneLight &light, const glm::dvec3 &middle);
 
 // The key environment=: harmonics and a dominant light, which may be none.
 struct Surroundings {

@@ -166,7 +166,7 @@ draw::SurfaceFrame frame(const Scene &scene, const Surface &surface, double turn
     frame.width = scene.width;
     frame.height = scene.height;
     frame.supersample = scene.supersample;
-    frame.lights = lights(scene);
+    frame.lights = lights(scene, middle(surface.points));
     if (around.there) {
         frame.lights.insert(frame.lights.begin(), around.dominant.begin(), around.dominant.end());
         frame.sky = around.record;

@@ -110,7 +110,7 @@ void lights_with_a_place_are_points_and_areas(void **)
     take(single(mesh), tsu_leaf_body(), {});
     const auto lit = [&](const scene::SceneLight &light) {
         draw::SurfaceFrame f = frame({0.0, 0.0, 1.0}, 0.02f);
-        f.lights = {scene::own_light(light)};
+        f.lights = {scene::own_light(light, glm::dvec3(0.0))};
         return mean(drawn(f), 1);
     };
     draw::SurfaceFrame f = frame({0.0, 0.0, 1.0}, 0.02f);

@@ -68,7 +68,7 @@ inline tsu_context *context = nullptr;
 
 inline tsu_hair_shadow_plan make(const Head &head, const glm::vec3 &light,
                                  const tsu_model *technique, uint32_t size, float opacity,
-                                 float layers = 8.0f)
+                                 float layers = 8.0f, bool placed = false)
 {
     tsu_hair_shadow_desc desc;
     tsu_hair_shadow_desc_init(&desc);
@@ -87,6 +87,7 @@ inline tsu_hair_shadow_plan make(const Head &head, const glm::vec3 &light,
     desc.width = 2.0f * width_scale * head.groom.constant_radius;
     desc.size = size;
     desc.most_size = 1024;
+    desc.flags |= placed ? uint32_t(TSU_HAIR_SHADOW_POINT) : 0u;
     tsu_hair_shadow_plan plan;
     tsu_hair_shadow_plan_init(&plan);
     assert_int_equal(tsu_hair_shadow_make(context, &desc, &plan), TSU_OK);

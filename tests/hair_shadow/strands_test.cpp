@@ -62,7 +62,8 @@ std::string text_of(const tsu_model *technique)
     return text;
 }
 
-Answers on_gpu(const glm::vec3 &light, const tsu_model *technique, tsu_format format = 0)
+Answers on_gpu(const glm::vec3 &light, const tsu_model *technique, tsu_format format = 0,
+               bool placed = false)
 {
     draw::MapsAsked asked;
     asked.technique = technique;
@@ -71,7 +72,8 @@ Answers on_gpu(const glm::vec3 &light, const tsu_model *technique, tsu_format fo
     asked.width_scale = width_scale;
     asked.taper = 0.0f;
     // A first tile in front, so that the one that is read has an origin of its own.
-    asked.directions = {glm::vec3(0.0f, 0.0f, 1.0f), glm::normalize(light)};
+    asked.lights = {glm::vec4(0.0f, 0.0f, 1.0f, 0.0f),
+                    placed ? glm::vec4(light, 1.0f) : glm::vec4(glm::normalize(light), 0.0f)};
     const auto programs = gpu.shading->maps(technique);
     assert_true(bool(programs));
     if (!gpu.maps->draw(context, asked, (*programs)->front, (*programs)->layers, *gpu.strands)) {
@@ -267,6 +269,29 @@ void one_light(const Bound &bound, int l, const Head &head)
     }
 }
 
+// Light from a place, also one inside the hair: the strands' own maps are those of the library.
+void light_at_a_place(void **)
+{
+    const Head head = grow(groom::Style::straight);
+    take(head);
+    const float ways[] = {1.5f, 4.0f, 40.0f, 0.02f}; // radii to the light
+    for (float way : ways) {
+        const glm::vec3 light = head.centre + way * head.radius * glm::normalize(lights[0]);
+        const tsu_hair_shadow_plan plan =
+            make(head, light, tsu_deep_opacity(), 0, 0.5f, 8.0f, true);
+        const Answers twin = in_memory(head, plan);
+        const Answers drawn = on_gpu(light, tsu_deep_opacity(), 0, true);
+        const double off = apart(twin, drawn);
+        print_message("light %g radii away: GPU against memory %.5f\n", double(way), off);
+        assert_true(off < 0.006);
+        double dimmed = 0.0;
+        for (std::size_t i = 2; i < drawn.size(); i += 4) {
+            dimmed += double(drawn[i]) / double(drawn.size() / 4);
+        }
+        assert_true(dimmed < 0.9);
+    }
+}
+
 void transmittance_against_rays(void **)
 {
     for (const Bound &bound : bounds) {
@@ -355,6 +380,7 @@ int main(int argc, char **argv)
     es = argc > 1 && std::string(argv[1]) == "es";
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(constructors),
+        cmocka_unit_test(light_at_a_place),
         cmocka_unit_test(transmittance_against_rays),
     };
     const struct CMUnitTest sizes[] = {cmocka_unit_test(error_against_size)};

@@ -107,7 +107,7 @@ void lights_lie_where_the_renderer_has_them(void **)
             own.facing = turned ? glm::dvec3(-1.0, -0.2, 0.6) : glm::dvec3(0.0);
             own.width = 0.03;
             own.height = 0.02;
-            const draw::Light drawn = scene::own_light(own);
+            const draw::Light drawn = scene::own_light(own, glm::dvec3(0.0));
             const glm::dvec3 n(drawn.direction);
             const double value = irradiance(light_of(own), glm::dvec3(0.0), n, 2000);
             near(kind, value, double(drawn.irradiance.x), 0.002);
