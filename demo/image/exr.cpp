@@ -208,6 +208,10 @@ bool read_exr(const std::string &path, Image &image, std::string &error)
         names.emplace_back(info.name);
     }
     code = LoadEXRImageFromFile(&file.image, &file.header, path.c_str(), &message);
+    if (code != TINYEXR_SUCCESS) {
+        // It has freed the channels and still points to them.
+        InitEXRImage(&file.image);
+    }
     if (code != TINYEXR_SUCCESS || !file.image.images) {
         return fail(error, "read", path, take(message, code));
     }

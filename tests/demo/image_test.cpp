@@ -210,6 +210,12 @@ void reading_refuses(void **)
     assert_true(write_exr(cut, ramp(64, 64, 3), error));
     std::filesystem::resize_file(cut, std::filesystem::file_size(cut) / 2);
     assert_false(read_exr(cut, image, error));
+    for (std::uintmax_t less : {1u, 2u, 100u}) { // where decoding fails half way
+        assert_true(write_exr(cut, ramp(64, 64, 3), error));
+        std::filesystem::resize_file(cut, std::filesystem::file_size(cut) - less);
+        assert_false(read_exr(cut, image, error));
+        assert_true(error.find(cut) != std::string::npos);
+    }
     assert_true(image.pixels == before.pixels);
 }
 
