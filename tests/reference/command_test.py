@@ -80,7 +80,12 @@ def resumes_to_the_same_picture():
         refused(['reference', *SMALL, 'dome=2', '-o', str(parts), '--resume'], None,
                 'parts.exr.state', 'another scene')
         refused(['reference', *SMALL, '--seed', '2', '-o', str(parts), '--resume'], None, '--seed')
-        pathlib.Path(str(parts) + '.state').write_bytes(b'TSUYA')
+        state = pathlib.Path(str(parts) + '.state')
+        kept = bytearray(state.read_bytes())
+        kept[len(kept) // 2] ^= 1
+        state.write_bytes(kept)
+        refused(['reference', *SMALL, '-o', str(parts), '--resume'], None, 'checksum')
+        state.write_bytes(b'TSUYA')
         refused(['reference', *SMALL, '-o', str(parts), '--resume'], None, 'no state')
 
 

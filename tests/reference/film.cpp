@@ -21,6 +21,12 @@ struct Header {
 static_assert(sizeof(Header) == 32, "no padding");
 static_assert(sizeof(Pixel) == 80, "no padding");
 
+std::uint64_t sum_of(const Header &header, const std::vector<Pixel> &pixels)
+{
+    const std::uint64_t key = key_of(&header, sizeof header, 0xcbf29ce484222325u);
+    return key_of(pixels.data(), pixels.size() * sizeof(Pixel), key);
+}
+
 } // namespace
 
 void Pixel::add(const Sample &sample)
@@ -116,9 +122,12 @@ Expected<bool> Film::write(const std::string &path, std::uint64_t key) const
     const bool good = image::replace_file(
         path,
         [&](std::FILE *file, std::string &why) {
+            const std::uint64_t sum = sum_of(header, pixels_);
             const bool whole =
                 std::fwrite(&header, sizeof header, 1, file) == 1 &&
-                std::fwrite(pixels_.data(), sizeof(Pixel), pixels_.size(), file) == pixels_.size();
+                std::fwrite(pixels_.data(), sizeof(Pixel), pixels_.size(), file) ==
+                    pixels_.size() &&
+                std::fwrite(&sum, sizeof sum, 1, file) == 1;
             why = whole ? "" : std::strerror(errno);
             return whole;
         },
@@ -135,6 +144,7 @@ Expected<Film> Film::read(const std::string &path, std::uint64_t key, int width,
     Header header;
     const Header expected;
     Film film(width, height);
+    std::uint64_t sum = 0;
     std::string wrong;
     if (std::fread(&header, sizeof header, 1, file) != 1 || header.magic != expected.magic) {
         wrong = " is no state of this program";
@@ -146,8 +156,10 @@ Expected<Film> Film::read(const std::string &path, std::uint64_t key, int width,
         wrong = " belongs to another scene, groom or --seed";
     } else if (std::fread(film.pixels_.data(), sizeof(Pixel), film.pixels_.size(), file) !=
                    film.pixels_.size() ||
-               std::fgetc(file) != EOF) {
+               std::fread(&sum, sizeof sum, 1, file) != 1 || std::fgetc(file) != EOF) {
         wrong = " has not the size that its header says";
+    } else if (sum != sum_of(header, film.pixels_)) {
+        wrong = " is damaged: its checksum does not match";
     }
     std::fclose(file);
     return wrong.empty() ? Expected<Film>(film) : Error{path + wrong};
