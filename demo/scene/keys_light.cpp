@@ -3,6 +3,8 @@
 
 #include <glm/geometric.hpp>
 
+#include <cmath>
+
 namespace tsuya::scene {
 
 namespace {
@@ -15,12 +17,16 @@ bool has(const Scene &scene, int index)
 }
 
 Key number(int index, const char *name, double SceneLight::*member, double low, double high,
-           const char *help)
+           const char *help, bool whole = false)
 {
-    return {"light" + std::to_string(index) + "." + name, "light", range_text(low, high), help,
+    return {"light" + std::to_string(index) + "." + name, "light",
+            (whole ? "whole, " : "") + range_text(low, high), help,
             [=](Scene &scene, const std::string &text) {
                 double value = 0.0;
-                const std::string wrong = read_number(text, low, high, value);
+                std::string wrong = read_number(text, low, high, value);
+                if (wrong.empty() && whole && value != std::floor(value)) {
+                    wrong = "is " + number_text(value);
+                }
                 if (wrong.empty()) {
                     scene.lights[index].*member = value;
                 }
@@ -105,7 +111,8 @@ std::vector<Key> light_keys(int index)
         number(index, "width", &SceneLight::width, 1e-5, far,
                "rect: metres along the horizon; disk: diameter; default 0.5"),
         number(index, "height", &SceneLight::height, 1e-5, far, "rect: metres, default 0.5"),
-        number(index, "sides", &SceneLight::sides, 1.0, 2.0, "2: shines to both; default 1"),
+        number(index, "sides", &SceneLight::sides, 1.0, 2.0, "2: shines to both; default 1",
+               true),
     };
 }
 

@@ -51,6 +51,7 @@ void refuses_bad_scenes(void **)
     refuse("\n# fine\nhat=1", {"line 3", "hat"});
     refuse("=1", {"line 1"});
     refuse("dome=1\ndome=1", {"line 2", "dome", "twice"});
+    refuse("light1.sides=1.5", {"line 1", "light1.sides", "whole"});
     refuse("dome=nan", {"dome", "not finite", "[0, 10000]"});
     refuse("dome=inf", {"dome", "not finite"});
     refuse("dome=1e999", {"dome"});
