@@ -144,7 +144,9 @@ Expected<std::string> suit(Scene &scene, const std::vector<std::string> &given)
                                         ? scene.fiber_width / 2.0
                                         : double(hair->groom.radius[0]) * unit);
         const double area = double(report.strands) * report.mean_length * unit * width;
-        const double scale = std::clamp(1.5 * face / area, 0.05, 50.0);
+        // A strand or two have no face that could be covered.
+        const bool thin = face < 4.0 * width * width || report.strands < 3;
+        const double scale = thin ? 1.0 : std::clamp(1.5 * face / area, 0.05, 50.0);
         scene.width_scale = std::round(scale * 100.0) / 100.0;
         said += "drawn with width_scale=" + number_text(scene.width_scale) + "\n";
     }
