@@ -79,7 +79,11 @@ draw::Light own_light(const SceneLight &light, const glm::dvec3 &middle)
         const glm::dvec3 to = light.position - middle;
         const double far = std::max(glm::length(to), 1e-3);
         const glm::dvec3 way = glm::length(to) > 1e-3 ? to / far : glm::dvec3(0.0, 1.0, 0.0);
-        const glm::dvec3 n = glm::length(light.facing) > 0.0 ? glm::normalize(light.facing) : -way;
+        const glm::dvec3 home = glm::length(light.position) > 1e-3
+                                    ? -glm::normalize(light.position)
+                                    : glm::dvec3(0.0, -1.0, 0.0);
+        const glm::dvec3 n =
+            glm::length(light.facing) > 0.0 ? glm::normalize(light.facing) : home;
         const glm::dvec3 x = across(n) * 0.5 * light.width;
         const bool disk = desc.kind == TSU_LIGHT_DISK;
         const glm::dvec3 y = glm::normalize(glm::cross(n, x)) * 0.5 *

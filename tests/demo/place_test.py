@@ -46,8 +46,10 @@ def check(what, value, low, high):
 
 
 SHIFTS = (0.0, 0.0, 0.0), (-0.9, 1.7, 0.0)
-LIGHTS = {'point': ['light1.intensity=1'], 'disk': ['light1.intensity=1', 'light1.width=0.3'],
-          'rect': ['light1.intensity=1', 'light1.width=0.3', 'light1.height=0.2']}
+LIGHTS = {'point': ['light1.intensity=1'], 'disk': ['light1.intensity=1', 'light1.width=0.3',
+                                                     'light1.facing=0,-0.1,-0.4'],
+          'rect': ['light1.intensity=1', 'light1.width=0.3', 'light1.height=0.2',
+                  'light1.facing=0,-0.1,-0.4']}
 TIERS = {'marschner': ['deep_opacity'], 'dual_scattering': ['deep_opacity', 'grid']}
 with tempfile.TemporaryDirectory() as folder:
     for shift in SHIFTS:
