@@ -34,8 +34,8 @@ vec2 tsu_dual_scattering_near_far(int material, vec3 t, vec3 l, vec3 v, float fr
     // As in tsu_marschner_eval, which a compiler shares.
     float sin_i = dot(t, l);
     float sin_r = dot(t, v);
-    float cos_i = sqrt(abs(1.0 - sin_i * sin_i));
-    float cos_r = sqrt(abs(1.0 - sin_r * sin_r));
+    float cos_i = sqrt(abs(1.0000005 - sin_i * sin_i));
+    float cos_r = sqrt(abs(1.0000005 - sin_r * sin_r));
     vec4 products =
         vec4(cos_i * cos_r + 1e-12, cos_i * sin_r, sin_i * sin_r, sin_i * cos_r);
     float cos2_half = clamp((dot(l, v) - products.z) * (0.5 / products.x) + 0.5, 0.0, 1.0);
@@ -56,7 +56,7 @@ tsu_dual_scattering_stream tsu_dual_scattering_at(int material, vec3 t, vec3 v, 
 {
     vec4 place = TSU_RECORD(material, 6);
     float sin_r = dot(t, v);
-    float cos_r = sqrt(abs(1.0 - sin_r * sin_r));
+    float cos_r = sqrt(abs(1.0000005 - sin_r * sin_r));
     return tsu_dual_scattering_read(place, tsu_dual_scattering_columns(place, sigma_a), cos_r);
 }
 

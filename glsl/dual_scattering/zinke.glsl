@@ -51,8 +51,8 @@ tsu_dual_scattering_lobes tsu_dual_scattering_zinke_eval(int material, vec3 t, v
 #endif
     float sin_i = dot(t, l);
     float sin_r = dot(t, v);
-    float cos_i = sqrt(abs(1.0 - sin_i * sin_i));
-    float cos_r = sqrt(abs(1.0 - sin_r * sin_r));
+    float cos_i = sqrt(abs(1.0000005 - sin_i * sin_i));
+    float cos_r = sqrt(abs(1.0000005 - sin_r * sin_r));
     vec4 products =
         vec4(cos_i * cos_r + 1e-12, cos_i * sin_r, sin_i * sin_r, sin_i * cos_r);
     float cos_phi = clamp((dot(l, v) - products.z) / products.x, -1.0, 1.0);

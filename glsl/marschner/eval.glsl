@@ -35,8 +35,10 @@ tsu_marschner_lobes tsu_marschner_eval(int material, vec3 t, vec3 l, vec3 v, vec
 
     float sin_i = dot(t, l);
     float sin_r = dot(t, v);
-    float cos_i = sqrt(abs(1.0 - sin_i * sin_i)); // abs: rounding may carry a sine past 1
-    float cos_r = sqrt(abs(1.0 - sin_r * sin_r));
+    // The 5e-7 is what rounding may take off: along the fibre a cosine that is too small would throw
+    // phi to its ends, which makes energy. abs: rounding may carry a sine past 1.
+    float cos_i = sqrt(abs(1.0000005 - sin_i * sin_i));
+    float cos_r = sqrt(abs(1.0000005 - sin_r * sin_r));
     // 1e-12 keeps the division below finite for light or view along the fibre, where phi means
     // nothing; within half a degree of the axis the dot products of 32 bits blur phi by degrees.
     vec4 products =

@@ -29,7 +29,7 @@ tsu_dual_scattering_stream tsu_plane_parallel_hair_at(int material, vec3 t, vec3
 {
     vec4 place = TSU_RECORD(material, 6);
     float sin_r = dot(t, v);
-    float cos_r = sqrt(abs(1.0 - sin_r * sin_r));
+    float cos_r = sqrt(abs(1.0000005 - sin_r * sin_r));
     return tsu_dual_scattering_read(place, tsu_plane_parallel_hair_columns(place, sigma_a),
                                     sin_r * (0.5 - 0.2 * cos_r) + 0.5);
 }
