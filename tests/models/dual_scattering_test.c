@@ -170,6 +170,15 @@ static void white(struct sweep *sweep, int count)
          sweep_stated(tsu_dual_scattering(), "slab_white_gain"));
     hold("white slabs, R + T below 1", worst.loss,
          sweep_stated(tsu_dual_scattering(), "slab_white_loss"));
+    struct slab_white far = {0.0, 0.0};
+    for (int f = 0; f < SLAB_CORNER_FIBERS; f++) {
+        double in[SLAB_INPUTS];
+        slab_corner_fiber(f, in);
+        slab_material(sweep, tsu_dual_scattering(), EXACT, in);
+        slab_white(sweep, tsu_dual_scattering(), EXACT, 1, in, &far);
+    }
+    hold("white slabs of far fibres, R + T above 1", far.gain,
+         sweep_stated(tsu_dual_scattering(), "slab_white_far"));
 }
 
 int main(void)

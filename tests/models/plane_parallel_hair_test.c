@@ -177,6 +177,15 @@ static void white(struct sweep *sweep, int count)
     }
     hold("white slabs, R + T above 1", worst.gain, sweep_stated(model, "slab_white_gain"));
     hold("white slabs, R + T below 1", worst.loss, sweep_stated(model, "slab_white_loss"));
+    struct slab_white far = {0.0, 0.0};
+    for (int f = 0; f < (getenv("TSUYA_LONG") ? SLAB_CORNER_FIBERS : 1); f++) {
+        double in[SLAB_INPUTS];
+        slab_corner_fiber(f, in);
+        slab_material(sweep, model, 0, in);
+        slab_white(sweep, model, 0, 1, in, &far);
+    }
+    hold("white slabs of far fibres, R + T above 1", far.gain,
+         sweep_stated(model, "slab_white_far"));
 }
 
 int main(void)

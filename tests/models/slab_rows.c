@@ -24,6 +24,15 @@ void slab_fiber(struct sweep *sweep, double in[SLAB_INPUTS])
     in[SLAB_SHIFTS] = sweep_corner(sweep, 0, 1);
 }
 
+void slab_corner_fiber(int index, double in[SLAB_INPUTS])
+{
+    slab_default(in);
+    in[SLAB_ETA] = index < 2 ? 1.2 : 2.0;
+    in[SLAB_ALPHA] = degree * (index % 2 ? 20 : -20);
+    in[SLAB_BETA] = degree * (index < 3 ? 2 : 30);
+    in[SLAB_BETA_AZ] = degree * 5;
+}
+
 void slab_draw(struct sweep *sweep, double in[SLAB_INPUTS])
 {
     const double draw = fmax(sweep_between(sweep, -0.25, 1), 0.0);

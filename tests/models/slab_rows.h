@@ -44,6 +44,9 @@ void slab_material(struct sweep *sweep, const tsu_model *model, uint32_t functio
 struct slab_white {
     double gain, loss;
 };
+// Fibres at corners of what the parameters accept; the first makes the most energy.
+enum { SLAB_CORNER_FIBERS = 4 };
+void slab_corner_fiber(int index, double in[SLAB_INPUTS]);
 // table: 0 reference, 1 tables (slab_material() first).
 void slab_white(struct sweep *sweep, const tsu_model *model, uint32_t function, int table,
                 const double in[SLAB_INPUTS], struct slab_white *worst);
