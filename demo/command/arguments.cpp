@@ -137,11 +137,10 @@ bool Arguments::parse(const Manual &manual, int argc, char **argv, std::string &
             options = false;
         } else if (word == "--help" || word == "-h") {
             options_["--help"] = "";
-            return true;
         } else {
             bool used = false;
             if (!take(manual, word, i + 1 < argc ? argv[i + 1] : nullptr, used, error)) {
-                return false;
+                return help(); // who asks for help gets it
             }
             i += used;
         }

@@ -31,6 +31,11 @@ std::string_view unquoted(std::string_view cell)
     return quotes ? trimmed(cell.substr(1, cell.size() - 2)) : cell;
 }
 
+bool control(unsigned char c)
+{
+    return c < ' ' && c != '\t';
+}
+
 std::string at_line(std::size_t number)
 {
     return "line " + std::to_string(number);
@@ -65,8 +70,7 @@ bool Csv::header(const Line &line, std::string &error)
             error = where + " of the header has no name.";
             return false;
         }
-        if (std::any_of(name.begin(), name.end(),
-                        [](unsigned char c) { return c < ' ' && c != '\t'; })) {
+        if (std::any_of(name.begin(), name.end(), control)) {
             error = where + " of the header holds a control character; is this text?";
             return false;
         }
@@ -114,8 +118,13 @@ bool Csv::read(std::string text, std::string &error)
             }
             continue;
         }
-        if (!split(this->text(line), cells)) {
+        const std::string_view line_text = this->text(line);
+        if (!split(line_text, cells)) {
             error = at_line(number) + ": a quote does not end.";
+            return false;
+        }
+        if (std::any_of(line_text.begin(), line_text.end(), control)) {
+            error = at_line(number) + " holds a control character; is this text?";
             return false;
         }
         if (cells.size() != columns_.size()) {

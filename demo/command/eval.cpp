@@ -34,7 +34,7 @@ Manual manual()
         "Functions: " +
             joined(function_names()) +
             ".\n"
-            "tsuya models --json lists their inputs, ranges, defaults and outputs.\n",
+            "tsuya eval FUNCTION --help lists its columns, tsuya models --json those of all.\n",
         {{"--on", "WHERE",
           "reference: the model in double precision\n"
           "cpu: the baked tables, sampled in C as the shader does\n"
@@ -180,12 +180,19 @@ int command_eval(int argc, char **argv)
     if (!arguments.parse(manual(), argc, argv, error)) {
         return complain("eval", error, exit_bad_input);
     }
-    if (arguments.help()) {
+    const std::vector<std::string> &words = arguments.positional();
+    if (arguments.help() && words.empty()) {
         return print("eval", help_text(manual()));
     }
-    const std::vector<std::string> &words = arguments.positional();
     const std::vector<std::string> places = {"reference", "cpu", "gpu"};
     const std::string on = arguments.get("--on");
+    Question question;
+    if (arguments.help()) {
+        return find_function(words[0], arguments.get("--model"), arguments.get("--variant"),
+                             question.function, error)
+                   ? print("eval", columns_text(question.function))
+                   : complain("eval", error, exit_bad_input);
+    }
     if (words.empty() || words.size() > 2) {
         error = words.empty()
                     ? "no function is given; the functions are " + joined(function_names()) + "."
@@ -198,7 +205,6 @@ int command_eval(int argc, char **argv)
                 "; it takes " + joined(places) + ".";
         return complain("eval", error, exit_bad_input);
     }
-    Question question;
     if (!find_function(words[0], arguments.get("--model"), arguments.get("--variant"),
                        question.function, error)) {
         return complain("eval", error, exit_bad_input);

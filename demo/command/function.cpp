@@ -15,6 +15,8 @@ Value value_of(const tsu_value_info &info)
     Value value;
     const bool angle = std::string(info.unit) == "rad";
     value.name = info.name;
+    value.unit = info.unit;
+    value.help = info.help;
     value.column = value.name + (angle ? "_deg" : "");
     value.scale = angle ? degree : 1.0;
     value.material = (info.flags & TSU_VALUE_MATERIAL) != 0;
@@ -200,6 +202,35 @@ bool word_to_api(const Value &value, const std::string &word, double &out, std::
     }
     out = double(found - value.words.begin());
     return true;
+}
+
+std::string columns_text(const Function &function)
+{
+    const auto padded = [](std::string text, std::size_t width) {
+        text.resize(std::max(text.size() + 2, width), ' ');
+        return text;
+    };
+    const auto limit = [](const Value &value, double number) {
+        return number == TSU_VALUE_INFINITE ? "inf" : number_text(number / value.scale, 6);
+    };
+    std::string text = "Columns that " + function.name + " reads:\n";
+    for (const Value &value : function.inputs) {
+        const std::string range =
+            value.words.empty()
+                ? limit(value, value.minimum) + " .. " + limit(value, value.maximum)
+                : joined(value.words);
+        const std::string usual =
+            value.words.empty()
+                ? limit(value, value.default_value)
+                : value.words[std::min(std::size_t(value.default_value), value.words.size() - 1)];
+        text += "  " + padded(value.column, 18) + padded(range, 16) +
+                padded("default " + usual, 16) + value.help + "\n";
+    }
+    text += "Columns that it adds:\n";
+    for (const Value &value : function.outputs) {
+        text += "  " + padded(value.column, 18) + value.help + "\n";
+    }
+    return text;
 }
 
 bool to_api(const Value &value, double number, double &out, std::string &error)

@@ -22,6 +22,7 @@ const tsu_model *find_model(const std::string &name, std::string &error);
 // keeps the name and unit of the API.
 struct Value {
     std::string name;   // of the API, "theta_i"
+    std::string unit, help;
     std::string column; // "theta_i_deg"
     double scale = 1;   // API value of 1 in the column: pi/180 or 1
     bool material = false;
@@ -46,6 +47,9 @@ std::vector<std::string> function_names();
 // what there is.
 bool find_function(const std::string &name, const std::string &model, const std::string &variant,
                    Function &out, std::string &error);
+
+// Columns that `function` reads, with range and default, and those that it adds, one a line.
+std::string columns_text(const Function &function);
 
 // Turns a column's number into the API's unit and checks it: finite and inside [minimum, maximum].
 // "inf" is taken where the maximum stands for it (TSU_VALUE_INFINITE).

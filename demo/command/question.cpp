@@ -1,5 +1,7 @@
 #include "question.h"
 
+#include "commands.h"
+
 #include "scene/gallery.h"
 #include "scene/keys.h"
 #include "scene/leaf_traits.h"
@@ -89,6 +91,9 @@ std::string ask_hair(const scene::Scene &asked, Question &question)
     const Expected<scene::Hair> hair = scene::hair(scene);
     if (!hair) {
         return hair.error();
+    }
+    if (!hair->note.empty()) {
+        complain("choose", hair->note + ".", exit_ok);
     }
     const draw::Frame frame = scene::frame(scene, *hair, *material, 0.0, false, *around);
     const scene::Traits traits = scene::traits(scene, *hair, *material, frame);

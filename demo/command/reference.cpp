@@ -178,6 +178,9 @@ int run(const Task &task)
     if (!hair) {
         return complain(hair.error());
     }
+    if (!hair->note.empty()) {
+        command::complain("reference", hair->note + ".", command::exit_ok);
+    }
     const std::uint64_t key = key_of(task, hair->groom);
     reference::Film film(task.scene.width, task.scene.height);
     if (task.resume && std::filesystem::exists(task.state())) {

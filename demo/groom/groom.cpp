@@ -75,10 +75,10 @@ template <class... Args> void line(std::string &out, const char *format, Args...
     }
 }
 
-void count(std::string &out, std::size_t n, const char *one, const char *many)
+void count(std::vector<std::string> &facts, std::size_t n, const char *one, const char *many)
 {
     if (n) {
-        line(out, "%zu %s\n", n, n == 1 ? one : many);
+        facts.push_back(std::to_string(n) + ' ' + (n == 1 ? one : many));
     }
 }
 
@@ -110,6 +110,18 @@ Report inspect(const Groom &groom)
     return r;
 }
 
+std::vector<std::string> repairs(const Report &r)
+{
+    std::vector<std::string> facts;
+    count(facts, r.non_finite_points, "point dropped: not finite, or beyond 1e15",
+          "points dropped: not finite, or beyond 1e15");
+    count(facts, r.dropped_strands, "strand dropped: fewer than 2 finite distinct points",
+          "strands dropped: fewer than 2 finite distinct points");
+    count(facts, r.replaced_values, "width or uv replaced: not a usable number",
+          "widths or uvs replaced: not usable numbers");
+    return facts;
+}
+
 std::string text(const Report &r)
 {
     std::string out;
@@ -123,14 +135,15 @@ std::string text(const Report &r)
         line(out, "%zu kink%s above 90 degrees in %zu strand%s\n", r.kinks, r.kinks == 1 ? "" : "s",
              r.kinked_strands, r.kinked_strands == 1 ? "" : "s");
     }
-    count(out, r.degenerate_segments, "repeated point", "repeated points");
-    count(out, r.non_finite_points, "point dropped: not finite, or beyond 1e15",
-          "points dropped: not finite, or beyond 1e15");
-    count(out, r.dropped_strands, "strand dropped: fewer than 2 finite distinct points",
-          "strands dropped: fewer than 2 finite distinct points");
-    count(out, r.replaced_values, "width or uv replaced: not a usable number",
-          "widths or uvs replaced: not usable numbers");
-    count(out, r.unused_bytes, "byte of the file not used", "bytes of the file not used");
+    std::vector<std::string> facts;
+    count(facts, r.degenerate_segments, "repeated point", "repeated points");
+    for (std::string &fact : repairs(r)) {
+        facts.push_back(std::move(fact));
+    }
+    count(facts, r.unused_bytes, "byte of the file not used", "bytes of the file not used");
+    for (const std::string &fact : facts) {
+        out += fact + '\n';
+    }
     if (!r.plausible_size) {
         line(out,
              "warning: the groom is %.4g across, outside [%g, %g]; a head is about 0.2 m, "

@@ -71,6 +71,10 @@ Report inspect(const Groom &groom);
 // `report` as English text, one fact a line, warnings last; ends with a newline.
 std::string text(const Report &report);
 
+// What had to be left out or replaced, a fact each, as text() says it; empty when the groom is as its
+// file gave it.
+std::vector<std::string> repairs(const Report &report);
+
 // Seed of strand `strand`: 24 hashed bits, so the same index gives the same
 // number everywhere. Returns: [0, 1).
 float strand_seed(std::uint32_t strand);

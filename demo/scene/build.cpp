@@ -178,6 +178,9 @@ Expected<Hair> hair(const Scene &scene)
         }
         result.groom = std::move(loaded->groom);
         result.report = loaded->report;
+        for (const std::string &fact : groom::repairs(result.report)) {
+            result.note += (result.note.empty() ? scene.groom.substr(5) + ": " : "; ") + fact;
+        }
         return Expected<Hair>(std::move(result));
     }
     groom::Expected<groom::HairyHead> grown = groom::generate(hair_params(scene));

@@ -20,6 +20,7 @@ struct Hair {
     groom::Report report;
     groom::Mesh head; // no triangles for a file
     draw::Solid solid;
+    std::string note; // for the user: what of the file could not be used; empty: nothing
 };
 
 // Read or grow the groom. Errors: those of groom::read() and groom::generate().

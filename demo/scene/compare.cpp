@@ -319,6 +319,9 @@ int compare(const Task &task)
     if (!around || !hair) {
         return complain(around ? hair.error() : around.error());
     }
+    if (!hair->note.empty()) {
+        std::fprintf(stderr, "tsuya compare: %s.\n", hair->note.c_str());
+    }
     const Expected<std::unique_ptr<Studio>> studio = Studio::create();
     if (!studio) {
         return complain(studio.error(), command::exit_failure);

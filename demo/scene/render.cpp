@@ -132,6 +132,9 @@ int render(const scene::Scene &scene, const std::string &path, int frames, std::
     if (!hair) {
         return complain(hair.error());
     }
+    if (!hair->note.empty()) {
+        std::fprintf(stderr, "tsuya render: %s.\n", hair->note.c_str());
+    }
     const double hair_time = total.seconds();
     groom::Expected<std::unique_ptr<scene::Studio>> studio = scene::Studio::create();
     if (!studio) {

@@ -79,6 +79,7 @@ class Session
         }
         hair_ = std::move(*hair);
         panel_.strands = hair_.report.strands;
+        panel_.message = hair_.note;
         drawn_ = false;
         return renderer_.load(hair_.groom, hair_.head, hair_.solid);
     }

@@ -235,6 +235,40 @@ def csv_forgets_whole_turns():
 
 
 @case
+def help_of_a_function_lists_its_columns():
+    for model in models('fibre', 'surface'):
+        for function in model['functions']:
+            said = output('eval', function['name'], '--help', '--model', model['name'])
+            reads, adds = said.split('Columns that it adds:')
+            words = [line.split() for line in reads.splitlines()[1:]]
+            expect([line[0] for line in words] == [v['column'] for v in function['inputs']], said)
+            for line, value in zip(words, function['inputs']):
+                if '|' not in value['unit']:
+                    low = value.get('minimum_deg', value['minimum'])
+                    expect(abs(float(line[1]) - low) <= 1e-5 * abs(low), f'{line} {low}')
+                    expect(line[2] == '..', f'{line}')
+            for value in function['outputs']:
+                expect(f"  {value['name']}" in adds, said)
+    refused(['eval', 'hairy', '--help'], None, 'hairy')
+
+
+@case
+def what_a_groom_lost_is_said():
+    with tempfile.TemporaryDirectory() as folder:
+        for bad, strands in ((), 2), ((float('nan'),), 1):
+            path = os.path.join(folder, 'a.hair')
+            points = [0, 0, 0, 0, .1, 0, .02, 0, 0, .02, .1, *(bad or (0,))]
+            with open(path, 'wb') as file:
+                file.write(struct.pack('<4s4I5f88s', b'HAIR', 2, 4, 2, 1, 8e-5, 0, 1, 1, 1, b''))
+                file.write(struct.pack('<12f', *points))
+            done = run('render', path, 'size=8x8', '-o', os.path.join(folder, 'a.png'))
+            said = done.stderr.decode()
+            expect(done.returncode == 0 and f'strands          {strands}\n' in
+                   done.stdout.decode(), said)
+            expect(('1 point dropped' in said and '1 strand dropped' in said) == bool(bad), said)
+
+
+@case
 def csv_takes_crlf_and_a_byte_order_mark():
     plain = output(*AZIMUTHAL, text='# c\neta,phi_deg\n1.5,20\n')
     expect(plain == output(*AZIMUTHAL, text='# c\r\neta,phi_deg\r\n1.5,20\r\n'), 'CRLF differs')
@@ -269,6 +303,7 @@ def csv_errors_name_line_and_column():
     refused(AZIMUTHAL, '# only\n', 'no header')
     refused(AZIMUTHAL, 'eta,TT\n1.5,0\n', 'column TT', 'result')
     refused(AZIMUTHAL, 'eta\n\n1.5\n', 'line 2', 'blank')
+    refused(AZIMUTHAL, 'eta\n1.5\n1.\0 5\n', 'line 3', 'control character')
     refused([*AZIMUTHAL, '/nonexistent.csv'], None, '/nonexistent.csv')
     for on in ('cpu', 'gpu'):
         refused(['eval', 'hair', '--on', on], 'beta_R_deg\n1\n',
