@@ -20,6 +20,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -219,13 +220,20 @@ int main(int argc, char **argv)
     Options options;
     if (!parse(argc, argv, options)) {
         std::fprintf(stderr, "usage: image_sweep FILE.csv [--size N] [--samples MOST] [--seed S] "
-                             "[--threads T]\n       [--dome RADIANCE] [--groom PATH] "
-                             "[--only GROOM,COLOR,LIGHT] [--pictures FOLDER] [--films FOLDER]\n");
+                             "[--threads T]\n       [--dome RADIANCE] [--groom GROOM] [--color COLOR] "
+                             "[--light LIGHT]\n       [--only GROOM,COLOR,LIGHT] "
+                             "[--pictures FOLDER] [--films FOLDER]\n");
         return 2;
     }
     try {
+        // A folder that cannot be made is better found before the work than after it.
+        for (const std::string &folder : {options.pictures, options.limits.films}) {
+            if (!folder.empty()) {
+                std::filesystem::create_directories(folder);
+            }
+        }
         return run(options);
-    } catch (const std::exception &error) { // of Embree, memory above all
+    } catch (const std::exception &error) { // of Embree, of folders; memory above all
         std::fprintf(stderr, "image_sweep: %s\n", error.what());
         return 1;
     }

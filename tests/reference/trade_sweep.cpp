@@ -21,6 +21,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <set>
 #include <string>
@@ -260,8 +261,12 @@ int main(int argc, char **argv)
         return 2;
     }
     try {
+        // A folder that cannot be made is better found before the work than after it.
+        if (!options.films.empty()) {
+            std::filesystem::create_directories(options.films);
+        }
         return run(options);
-    } catch (const std::exception &error) { // of Embree, memory above all
+    } catch (const std::exception &error) { // of Embree, of folders; memory above all
         std::fprintf(stderr, "trade_sweep: %s\n", error.what());
         return 1;
     }
